@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
@@ -190,8 +189,11 @@ def show(report: Document) -> None:
     """To a terminal in its width and with colour, unless NO_COLOR is set; else as plain text."""
     from mpsolve.report.blocks import WIDTH
 
-    terminal = sys.stdout.isatty()
-    width = max(shutil.get_terminal_size().columns, _NARROW) if terminal else WIDTH
+    terminal, width = sys.stdout.isatty(), WIDTH
+    if terminal:
+        from shutil import get_terminal_size
+
+        width = max(get_terminal_size().columns, _NARROW)
     colour = terminal and not os.environ.get("NO_COLOR")
     click.echo(report.text(width, colour), nl=False, color=colour)
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
@@ -93,6 +92,8 @@ def _sentence(
         return f"{error.option_name}: has {f'not all of its {many[1]} values' if many else 'no value'}: {advice}"
     unknown = re.search(r"No such command '(.*?)'", words)
     if unknown:
+        from difflib import get_close_matches
+
         known = list(command.commands) if isinstance(command, click.Group) and path != "mpsolve" else commands
         near = get_close_matches(unknown[1], known, n=1, cutoff=0.5)
         return f"{unknown[1]}: is no command of {path}: {_meant(near, f'see {path} --help')}"
@@ -101,6 +102,8 @@ def _sentence(
 
 
 def _no_such_option(error: click.NoSuchOption, command: click.Command | None, path: str) -> str:
+    from difflib import get_close_matches
+
     name = error.option_name
     known = [one for parameter in (command.params if command else []) for one in parameter.opts]
     return f"{name}: is no option of {path}: {_meant(get_close_matches(name, known, n=1), f'see {path} --help')}"

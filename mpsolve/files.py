@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import json
 import os
-import tempfile
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -35,16 +33,17 @@ def whole_file(path: Path) -> Iterator[BinaryIO]:
                 yield file
             return
         path = path.resolve()
-        handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+        name = path.with_name(f".{path.name}.{os.urandom(4).hex()}")
+        file = name.open("xb")
         try:
-            with os.fdopen(handle, "wb") as file:
+            with file:
                 yield file
                 file.flush()
                 os.fsync(file.fileno())
             os.chmod(name, 0o644)
             os.replace(name, path)
         except BaseException:
-            os.unlink(name)
+            name.unlink()
             raise
     except OSError as error:
         cause = error.strerror or str(error)
@@ -61,6 +60,8 @@ def checked_suffix(path: Path, allowed: tuple[str, ...], key: str = "output") ->
 
 def csv_text(rows: Iterable[Iterable[Any]]) -> str:
     """Rows as CSV, with the line ends of Unix."""
+    import csv
+
     stream = io.StringIO()
     csv.writer(stream, lineterminator="\n").writerows(rows)
     return stream.getvalue()

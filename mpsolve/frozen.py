@@ -14,8 +14,11 @@ T = TypeVar("T")
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def frozen(made: type[T]) -> type[T]:
-    """As `dataclass(frozen=True)`: fields, defaults, `replace`, equality, hash and repr are the same."""
-    named: Any = dataclass(repr=False, eq=False)(made)
+    """As `dataclass(frozen=True)`: fields, defaults, `replace`, equality, hash and repr are the same.
+
+    With `init=False` where a class has an `__init__` of its own.
+    """
+    named: Any = dataclass(init="__init__" not in vars(made), repr=False, eq=False)(made)
     for name, function in _SHARED.items():
         if name not in vars(made):
             setattr(named, name, function)

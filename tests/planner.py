@@ -346,10 +346,8 @@ def resonances(bd, most):
 
 def moved(walker, kind, mark, where):
     """The mark there, and the change of arg Δ̂ from the matrices at both ends."""
-    end, turn = walker.piece(kind, mark, where, None)
-    if turn is None:
-        return end, arb(0)
-    return end, turn.sharp(walker.matrix(end)) - turn.sharp(walker.matrix(mark))
+    end, turns = walker.piece(kind, mark, where)
+    return end, walker.turned([mark, end], [turns]) if turns else arb(0)
 
 
 def walk(walker, kind, corners):
@@ -477,7 +475,7 @@ def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, dept
             paths = [("link", link), ("turn", turn)]
             if passive and track.v == 0:
                 number = (
-                    v2.closing(walker.bordered, walker.waves, walker.marks[rho_, zero])
+                    v2.closing(walker, walker.marks[rho_, zero])
                     + (len(floats.K) - len(floats.x) - car.neutral) * arb.pi() / 2
                     - T
                 ) / arb.pi()
@@ -487,7 +485,7 @@ def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, dept
                 axis = walk(walker, "passive", [(rho_, zero), (X, zero)])[0] if rho_ < X else [(rho_, zero)]
                 paths += [("passive", walls), ("passive", axis)]
                 number = (
-                    v2.closing(walker.bordered, walker.waves, walker.marks[rho_, zero])
+                    v2.closing(walker, walker.marks[rho_, zero])
                     + (len(floats.K) - len(floats.x) - car.neutral) * arb.pi() / 2
                     - T
                 ) / arb.pi()

@@ -186,9 +186,11 @@ def test_robust_in_parts_that_a_file_keeps(run: Run, monkeypatch: pytest.MonkeyP
 
 
 def test_a_chart_and_its_files(run: Run) -> None:
-    over = ("--over", "v=0.5..0.9", "--over", "scale.mass=0.8..1.2", "--depth", 3)
-    result = run("chart", PLAIN, *over, "-o", "chart.svg")
+    over = ("--over", "v=0.64..0.7", "--over", "scale.mass=0.8..1.2", "--depth", 2)
+    result = run("chart", PLAIN, *over, "-o", "chart.svg", "--certificate", "chart.json")
     assert result.exit_code == 0
+    assert "The certificate states the number of each cell" in result.stdout
+    assert json.loads(Path("chart.json").read_text("ascii"))["kind"] == "chart"
     assert "of the chart is decided" in result.stdout
     svg = Path("chart.svg").read_text("utf-8")
     assert ET.fromstring(svg).tag.endswith("svg")
@@ -197,9 +199,9 @@ def test_a_chart_and_its_files(run: Run) -> None:
     with Path("chart.csv").open(encoding="utf-8", newline="") as file:
         heading, *rows = csv.reader(file)
     assert heading == ["v low", "v high", "scale.mass low", "scale.mass high", "roots"]
-    assert len(rows) == 64
+    assert len(rows) == 16
     assert {row[4] for row in rows} <= {"0", "2", "boundary", "open"}
-    assert ("0.5", "0") in {(row[0], row[4]) for row in rows}
+    assert ("0.64", "0") in {(row[0], row[4]) for row in rows}
 
 
 def test_a_table_of_any_problem(run: Run) -> None:

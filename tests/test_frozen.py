@@ -75,3 +75,18 @@ def test_own_functions_are_kept() -> None:
     assert repr(Told(1)) == "told"
     assert Told(1).a == 2
     assert Told(1) == Told(1) != Told(2)
+
+
+def test_a_class_may_have_its_own_init() -> None:
+    @frozen
+    class Own:
+        a: int
+        b: int = 4
+
+        def __init__(self, text: str) -> None:
+            object.__setattr__(self, "a", int(text))
+
+    assert Own("3") == Own(" 3 ") != Own("4")
+    assert (Own("3").b, hash(Own("3"))) == (4, hash(Own("3")))
+    with pytest.raises(FrozenInstanceError):
+        Own("3").a = 5  # type: ignore[misc]

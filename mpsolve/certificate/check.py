@@ -10,7 +10,7 @@ from mpsolve.certificate.verify2 import verify_bytes as of_spectra
 
 _MOST = 64_000_001
 _ZEROS = re.compile(rb'"format"\s*:\s*"mpsolve zeros"')
-_RANGES = re.compile(rb'"kind"\s*:\s*"(?:crossings|stable)"')
+_RANGES = re.compile(rb'"kind"\s*:\s*"(?:crossings|stable|chart)"')
 _VERSION_1 = re.compile(rb'"version"\s*:\s*1\b')
 _VERSION_2 = re.compile(rb'"version"\s*:\s*2\b')
 

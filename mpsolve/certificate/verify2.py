@@ -19,9 +19,10 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 from itertools import combinations, pairwise, product
 from math import comb, prod
+from operator import lt, mul
 from typing import Any
 
 import flint
@@ -231,28 +232,13 @@ def at_q(z: Point) -> Any:
 
 
 def nonnegative(p: Any, strictly: bool) -> bool:
-    """p(y) ≥ 0 for all y ≥ 0 and p ≠ 0; strictly: p(y) > 0 for all y ≥ 0. Exact, by Sturm's theorem."""
+    """p(y) ≥ 0 for all y ≥ 0 and p ≠ 0: no root y > 0 of odd multiplicity; strictly: p(y) > 0, no root at all."""
     c = p.coeffs()
     if not c or c[-1] <= 0 or (strictly and c[0] <= 0):
         return False
-    return all(x >= 0 for x in c) or all(
-        (k % 2 == 0 and not strictly) or roots_above_zero(f) == 0 for f, k in p.factor_squarefree()[1]
-    )
-
-
-def roots_above_zero(f: Any) -> int:
-    """The number of roots y > 0 of a squarefree polynomial."""
-    if f(0) == 0:
-        f = f // fmpq_poly([0, 1])
-    chain = [f, f.derivative()]
-    while chain[-1].degree() > 0:
-        chain.append(-(chain[-2] % chain[-1]))
-
-    def changes(values: Sequence[Any]) -> int:
-        kept = [x for x in values if x != 0]
-        return sum(a * b < 0 for a, b in pairwise(kept))
-
-    return changes([g(0) for g in chain]) - changes([g.leading_coefficient() for g in chain if g.degree() >= 0])
+    return all(x >= 0 for x in c) or not any(
+        z.imag.contains(0) and not z.real <= 0 and (strictly or k % 2) for z, k in p.complex_roots()
+    )  # balls of roots: those of real ones hold a real number, those of others none
 
 
 def semidefinite(a: Any) -> bool:
@@ -314,8 +300,8 @@ def least(f: Free, box: Box) -> Any:
     return min(bernstein(f, box, fmpq_mat)) if f else fmpq(0)
 
 
-def everywhere(test: Any, rows: Sequence[Free], box: Box, why: str) -> None:
-    """test(rows, box) is true on parts that together are the box; others are halved along what these rows hold.
+def everywhere(rows: Sequence[Free], box: Box, why: str, strictly: bool = True) -> None:
+    """Σ f_k y^k > 0 (or ≥ 0) for all y ≥ 0 on parts of the box; others are halved along what the f_k hold.
 
     The longer the polynomials, in all their Bernstein coefficients, the fewer parts are looked at.
     """
@@ -325,7 +311,7 @@ def everywhere(test: Any, rows: Sequence[Free], box: Box, why: str) -> None:
     while stack:
         here, depth = stack.pop()
         number += 1
-        if test(rows, here):
+        if positive(rows, here, strictly):
             continue
         require(used and depth < 8 * len(used) and number < BOXES / max(1, size / 1000), why)
         stack += [(half, depth + 1) for half in halved(here, used[depth % len(used)])]
@@ -380,15 +366,6 @@ def terms(p: Any) -> Free:
     return {tuple(map(int, e)): c for e, c in p.to_dict().items()}
 
 
-def always_positive(rows: Sequence[Free], box: Box) -> bool:
-    """Σ f_k y^k > 0 for all y ≥ 0 and all parameters of the box."""
-    return positive(rows, box, True)
-
-
-def never_negative(rows: Sequence[Free], box: Box) -> bool:
-    return positive(rows, box, False)
-
-
 def determinant(rows: Sequence[Sequence[Any]], one: Any) -> Any:
     """Of polynomials, along the first row."""
     if not rows:
@@ -435,7 +412,7 @@ def real(ring: Any, p: Any) -> Any:
 # --- the equations ----------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Track:
     """A(P, s) u = e·load; D = det A, N the cofactor of the loaded row; d, n: those at s = σ − vP, in (P, σ).
 
@@ -511,7 +488,7 @@ def dispersion(ring: Any, rows: list[list[Any]], loaded: int) -> tuple[Any, Any]
 def read_track(value: Any, velocity: Any, box: Box = ()) -> Track:
     ring, rows, loaded = read_rows(value, len(box))
     v = free(velocity, len(box), "velocity")
-    everywhere(never_negative, [v], box, "the velocity is negative")
+    everywhere([v], box, "the velocity is negative", False)
     return moving_track(ring, rows, loaded, v)
 
 
@@ -569,7 +546,7 @@ def check_passive(ring: Any, given: Sequence[Sequence[Any]], box: Box) -> None:
         for k in range(1, size + 1):
             for kept in combinations(range(size), k):
                 minor = in_y(determinant([[sign * matrix[r][c] for c in kept] for r in kept], ring.constant(1)))
-                everywhere(never_negative, minor, box, "the track may give energy at rest: it is not passive")
+                everywhere(minor, box, "the track may give energy at rest: it is not passive", False)
 
 
 def check_passive_track(track: Track) -> None:
@@ -602,7 +579,7 @@ def read_vehicle(value: Any, basis: Any) -> Bodies:
     return read_bodies(value, basis, (), MAX_BODIES, MAX_CONTACTS)
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Bodies:
     """M, C, K as {exponents of the parameters: matrix}, B, compliances and places of the felt coordinates; the last
     are neutral."""
@@ -732,34 +709,34 @@ class Form:
     order. e: a list. m: the number of variables; 0 for numbers, which are balls without a rest.
     """
 
-    __slots__ = ("_size", "_sizes", "e", "k", "m", "second")
-
     def __init__(self, k: Rows, e: list[Any], m: int) -> None:
         self.k, self.e, self.m = k, e, m
         self.second = pairs(m) if len(k) > 1 + m else ()  # the coefficients of second order
-        self._sizes: tuple[list[Any], ...] | None = None
-        self._size: list[Any] | None = None
+        self.known: dict[int, list[Any]] = {}
 
-    @property
-    def sizes(self) -> tuple[list[Any], ...]:
-        """Bounds: of the constants, of the linear, of the quadratic parts, and of all three."""
-        if self._sizes is None:
-            size, n = [[abs(x) for x in row] for row in self.k], len(self.e)
-            first, second = sums(size[1 : 1 + self.m], n), sums(size[1 + self.m :], n)
-            self._sizes = (size[0], first, second, sums(size, n))
-        return self._sizes
+    def sizes(self, order: int) -> list[Any]:
+        """Bounds of the constants, of the linear, of the quadratic parts: order 0, 1, 2; of all, and the rest: 3."""
+        found = self.known.get(order)
+        if found is None:
+            if order < 3:
+                first, last = (0, 1, 1 + self.m, len(self.k))[order : order + 2]
+                found = sums([[x.abs_upper() for x in row] for row in self.k[first:last]], len(self.e))
+            else:
+                found = sums([self.sizes(0), self.spread], len(self.e)) if self.m else self.sizes(0)
+            self.known[order] = found
+        return found
 
     @property
     def spread(self) -> list[Any]:
         """Bounds of what changes."""
-        _, first, second, _ = self.sizes
-        return [x + y + z for x, y, z in zip(first, second, self.e, strict=True)]
+        if not self.m:
+            return self.e
+        return sums([self.sizes(1), self.sizes(2), self.e] if self.second else [self.sizes(1), self.e], len(self.e))
 
     @property
     def size(self) -> list[Any]:
-        if self._size is None:
-            self._size = [x + y for x, y in zip(self.sizes[3], self.e, strict=True)]
-        return self._size
+        """Bounds of all."""
+        return self.sizes(3)
 
     def __add__(self, other: Form) -> Form:
         k = [[x + y for x, y in zip(a, b, strict=True)] for a, b in zip(self.k, other.k, strict=True)]
@@ -791,10 +768,7 @@ class Form:
 
     def picked(self, some: Callable[[list[Any]], list[Any]]) -> Form:
         out = Form([some(row) for row in self.k], some(self.e), self.m)
-        if self._sizes is not None:
-            out._sizes = tuple(map(some, self._sizes))
-        if self._size is not None:
-            out._size = some(self._size)
+        out.known = {order: some(row) for order, row in self.known.items()}
         return out
 
     def __mul__(self, other: Form) -> Form:
@@ -808,12 +782,15 @@ class Form:
             row = [x * q + p * y for x, y, p, q in zip(a[0], b[0], a[n], b[n], strict=True)]
             row = [z + p * q for z, p, q in zip(row, a[i], b[j], strict=True)]
             k.append([z + p * q for z, p, q in zip(row, a[j], b[i], strict=True)] if i != j else row)
-        (_, x1, x2, _), (_, y1, y2, y) = self.sizes, other.sizes
+        x1, y1 = self.sizes(1), other.sizes(1)
         if self.second:
+            x2, y2 = self.sizes(2), other.sizes(2)
             beyond = [p * r + q * (v + r) for p, q, v, r in zip(x1, x2, y1, y2, strict=True)]
         else:
             beyond = [p * q for p, q in zip(x1, y1, strict=True)]
-        e = [z + p * g + f * q for z, p, f, q, g in zip(beyond, self.size, self.e, y, other.e, strict=True)]
+        # |f g'| and |f' g| with all of f', g' but one rest, which is counted once
+        rows = zip(beyond, self.size, self.e, other.size, other.e, strict=True)
+        e = [w + q * f + (p - f) * g for w, p, f, q, g in rows]
         return Form(k, e, self.m)
 
     def inverse(self) -> Form:
@@ -828,7 +805,7 @@ class Form:
             twice = 1 if i == j else 2
             k.append([(p * q * twice - x) * y for p, q, x, y in zip(w[i], w[j], w[n], c, strict=True)])
         e = []
-        for x, p, q, f in zip(c, *self.sizes[1:3], self.e, strict=True):
+        for x, p, q, f in zip(c, self.sizes(1), self.sizes(2), self.e, strict=True):
             size = abs(x)
             p, q, f = p * size, q * size, f * size
             y = p + q + f
@@ -848,7 +825,7 @@ class Form:
             k.append(
                 [(x + p * q * half) * y for x, p, q, y in zip(*(self.k[r] for r in (n, i, j)), value, strict=True)]
             )
-        for n, (p, q, f) in enumerate(zip(*self.sizes[1:3], self.e, strict=True)):
+        for n, (p, q, f) in enumerate(zip(self.sizes(1), self.sizes(2), self.e, strict=True)):
             y = p + q + f
             if y < 2:
                 left = y.expm1() - y
@@ -866,9 +843,10 @@ ZERO, NONE = arb(0), acb(0)
 
 def sums(rows: Sequence[Sequence[Any]], length: int) -> list[Any]:
     """Of rows, one by one."""
-    if len(rows) < 2:
-        return list(rows[0]) if rows else [ZERO] * length
-    return [sum(column[1:], column[0]) for column in zip(*rows, strict=True)]
+    total = list(rows[0]) if rows else [ZERO] * length
+    for row in rows[1:]:
+        total = [x + y for x, y in zip(total, row, strict=True)]
+    return total
 
 
 def joined(forms: Sequence[Form]) -> Form:
@@ -878,31 +856,22 @@ def joined(forms: Sequence[Form]) -> Form:
 
 
 def along(
-    E: Sequence[Form],
-    sizes: Sequence[Sequence[Any]],
-    h: Form,
-    most: Sequence[Any],
-    slope: bool = False,
-    square: Form | None = None,
+    E: Sequence[Form], sizes: Sequence[Sequence[Any]], h: Form, most: Sequence[Any], slope: bool = False
 ) -> Form:
-    """Σ E_i h^i for |h| ≤ most, or its derivative in h. E: as many as a form tells; sizes: bounds of all.
-
-    square: h², where it is known.
-    """
+    """Σ E_i h^i for |h| ≤ most, or its derivative in h. E: as many as a form tells; sizes: bounds of all."""
     n, start = len(h.e), int(slope)
-    last = start + (2 if h.second else 1)
-    total = E[start]
-    for i, power in enumerate((h, square or h * h) if h.second else (h,), start + 1):
-        if i < len(E):
-            term = E[i] * power
-            total = total + (term.scaled([i] * n) if slope else term)
+    last = min(3 if h.second else start + 1, len(E) - 1)
+    factor = range(len(sizes)) if slope else [1] * len(sizes)
+    total = E[last].scaled([factor[last]] * n) if slope else E[last]
+    for i in range(last - 1, start - 1, -1):
+        total = total * h + (E[i].scaled([i] * n) if factor[i] > 1 else E[i])
     rest = [ZERO] * n
     for i in range(len(sizes) - 1, last, -1):
-        rest = [(x + (y * i if slope else y)) * z for x, y, z in zip(rest, sizes[i], most, strict=True)]
+        rest = [(x + y * factor[i]) * z for x, y, z in zip(rest, sizes[i], most, strict=True)]
     return total.rested([x * y ** (last - start) for x, y in zip(rest, most, strict=True)])
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Sums:
     """Polynomials in σ and the parameters, in balls: for each row the coefficients of these exponents."""
 
@@ -1002,8 +971,10 @@ class Place:
 
     def form(self, table: Any) -> Form:
         """From Taylor's coefficients."""
-        columns = [list(x) for x in zip(*table.tolist(), strict=True)]
-        e = sums([[abs(x) for x in column] for column in columns[self.width :]], table.nrows())
+        return self.of_columns([list(x) for x in zip(*table.tolist(), strict=True)])
+
+    def of_columns(self, columns: Rows) -> Form:
+        e = sums([[x.abs_upper() for x in column] for column in columns[self.width :]], len(columns[0]))
         return Form(columns[: self.width], e, self.m)
 
     def value(self, polynomials: Sums) -> Form:
@@ -1051,19 +1022,15 @@ class Local:
         return self.place.taylor(self._n)
 
     def about(self, z: Sequence[Any], table: Any) -> tuple[list[Form], list[list[Any]]]:
-        """Of E_i in Σ f_j (z + h)^j = Σ E_i h^i, for each z: the first ones, and bounds of all."""
-        n, size = len(z), table.nrows()
-        known = [powers(x, size - 1) for x in z]
-        rows = [[p[d] * c if c else NONE for d, c in row] for row in binomials(size, size) for p in known]
-        f = self.place.form(acb_mat(rows) * table)
-        sizes, few = f.size, min(size, self.place.order + 2)
-        return [f.part(i * n, (i + 1) * n) for i in range(few)], [sizes[i * n : (i + 1) * n] for i in range(size)]
-
-
-@lru_cache(maxsize=64)
-def binomials(size: int, rows: int) -> list[list[tuple[int, int]]]:
-    """(power, factor) of z in the coefficient of h^i in (z + h)^j."""
-    return [[(j - i, comb(j, i)) for j in range(size)] for i in range(rows)]
+        """Of E_i in Σ f_j (z + h)^j = Σ E_i h^i, for each z: the first ones, and bounds of all from E_2 on."""
+        size, width = table.nrows(), table.ncols()
+        rows = table.tolist()
+        steps = [[comb(i + j, i) * x for i in range(size - j) for x in rows[i + j]] for j in range(size)]
+        filled = [[*row, *[NONE] * (width * j)] for j, row in enumerate(steps)]
+        E = (acb_mat([powers(x, size - 1) for x in z]) * acb_mat(filled)).tolist()
+        columns = [list(x) for x in zip(*E, strict=True)]
+        forms = [self.place.of_columns(columns[i * width : (i + 1) * width]) for i in range(size)]
+        return forms[: self.place.order + 2], [*([] for _ in forms[:2]), *(f.size for f in forms[2:])]
 
 
 class Waves:
@@ -1089,6 +1056,9 @@ class Waves:
         return Local(place, self.d, self.n)
 
 
+Known = tuple[list[Any], int]  # numbers near p-roots, and how many of them, the first, for U
+
+
 class Nodes:
     """Distinct points z_k, the first `up` of them for U; U = Π(P − z_k)·(1 + Σ a_k/(P − z_k)), L likewise."""
 
@@ -1096,24 +1066,19 @@ class Nodes:
         n = len(z)
         self.z, self.up, self.local = list(z), up, local
         self.side = [range(up), range(up, n)]
-        distance = [[arb(0)] * n for _ in range(n)]
+        self.distance, inverse = [[ZERO] * n for _ in range(n)], arb_mat(n, n)
+        self.own, self.all = [arb(1)] * n, [acb(1)] * n  # |U₀'(z_k)| or |L₀'(z_k)|, (U₀L₀)'(z_k)
         for i, k in combinations(range(n), 2):
-            distance[i][k] = distance[k][i] = abs(z[i] - z[k])
-        self.distance = distance
-        self.own, self.all, inverse = [], [], []
-        for k in range(n):
-            same, other = arb(1), arb(1)
-            for i in range(n):
-                if (i < up) != (k < up):
-                    other *= distance[k][i]
-                    inverse.append(1 / distance[k][i])
-                else:
-                    same *= distance[k][i] if i != k else 1
-                    inverse.append(0)
-            self.own.append(same)
-            self.all.append(same * other)
-        self.inverse = arb_mat(n, n, inverse)
-        self.values = local.place.form(acb_mat([powers(x, n) for x in z]) * local.D)
+            gap = z[i] - z[k]
+            size = self.distance[i][k] = self.distance[k][i] = abs(gap)
+            self.all[i], self.all[k] = self.all[i] * gap, self.all[k] * -gap
+            if (i < up) == (k < up):
+                self.own[i], self.own[k] = self.own[i] * size, self.own[k] * size
+            else:
+                inverse[i, k] = inverse[k, i] = 1 / size
+        self.inverse = inverse
+        self.table = acb_mat([powers(x, n) for x in z]) * local.D
+        self.values = local.place.form(self.table)
 
     @property
     def least(self) -> Any:
@@ -1125,8 +1090,8 @@ class Nodes:
         """The pair over the place, or Refused; thin: at its middle, where the constants are the values of D."""
         low = abs(self.local.D[len(self.z), 0]) if thin else self.least
         require(low > 0, "the highest coefficient may vanish on a piece")
-        sizes = self.values.sizes[0] if thin else self.values.size
-        w = [(x / (size * low)).upper() for x, size in zip(sizes, self.all, strict=True)]
+        sizes = self.values.sizes(0) if thin else self.values.size
+        w = [(x / (abs(size) * low)).upper() for x, size in zip(sizes, self.all, strict=True)]
         found = contraction(w, self.inverse, tiny(self.z))
         require(found, "the p-roots of both sides are not kept apart on a piece: it is too long")
         return Split(self, *(found or ([], [])))
@@ -1139,16 +1104,21 @@ def tiny(z: Sequence[Any]) -> Any:
 def contraction(w: Sequence[Any], inverse: Any, tiny: Any) -> tuple[list[Any], list[Any]] | None:
     """(β, τ) of Lemma 1 for |W_k| ≤ w_k; inverse: 1/|z_k − z_l| for nodes of two sides, else 0.
 
-    β is found by iteration; what counts is the last inequality.
+    β is found by iteration; what counts is the last inequality. The wider of two joins more neighbours.
     """
+
+    def image(beta: list[Any]) -> list[Any]:
+        s = (inverse * arb_mat(len(w), 1, beta)).entries() if w else []
+        return [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)] if all(y < 0.5 for y in s) else [arb("inf")]
+
     beta = [(x * 1.2 + tiny).upper() for x in w]
     for _ in range(10):
-        s = (inverse * arb_mat(len(w), 1, beta)).entries() if w else []
-        if not all(x < 0.5 for x in s):
+        tau = image(beta)
+        if all(map(lt, tau, beta)):
+            wide = [(x * 2).upper() for x in beta]
+            return (wide if all(map(lt, image(wide), wide)) else beta), tau
+        if not tau[0].is_finite():
             return None
-        tau = [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)]
-        if all(x < y for x, y in zip(tau, beta, strict=True)):
-            return beta, tau
         beta = [(x * 1.15 + tiny).upper() for x in tau]
     return None
 
@@ -1172,7 +1142,7 @@ def isolated(tight: Sequence[Any], distance: Sequence[Sequence[Any]], side: rang
     return radii
 
 
-@dataclass
+@dataclass(repr=False, eq=False)
 class Split:
     """For each σ of the disc exactly one pair U·L = D/lead has |a_k| ≤ box_k; it is analytic; |a_k| ≤ tight_k."""
 
@@ -1180,9 +1150,23 @@ class Split:
     box: list[Any]
     tight: list[Any]
 
-    def links(self, other: Split) -> bool:
-        """Whether the pair of a thin splitting, at a σ of the disc, is the one here: |U(z_k)/U₀'(z_k)| < box_k."""
-        z, w, a = self.nodes.z, other.nodes.z, [box(t) for t in other.tight]
+    def pair(self, sigma: Any) -> list[Any]:
+        """The a_k at a σ of the disc, in balls: W_k/(1 + x), |x| ≤ Σ τ_l/|z_k − z_l|."""
+        nodes, place = self.nodes, self.nodes.local.place
+        u = powers((sigma - place.middle[0]) / place.half[0] if place.m else ZERO, nodes.table.ncols() - 1)
+        column, low = acb_mat(len(u), 1, u), nodes.local.D.nrows() - 1
+        lead = sum((nodes.local.D[low, j] * x for j, x in enumerate(u)), NONE)
+        s = (nodes.inverse * arb_mat(len(self.tight), 1, self.tight)).entries()
+        values = zip((nodes.table * column).entries(), nodes.all, s, strict=True)
+        return [d / (lead * size) * (1 + box(x / (1 - x))) for d, size, x in values]
+
+    def near(self, sigma: Any) -> Known:
+        """Near the p-roots at a σ of the disc, or next to it."""
+        return [(z - a).mid() for z, a in zip(self.nodes.z, self.pair(sigma), strict=True)], self.nodes.up
+
+    def links(self, other: Split, sigma: Any) -> bool:
+        """Whether the pair of another splitting is the one here, at a σ of both: |U(z_k)/U₀'(z_k)| < box_k."""
+        z, w, a = self.nodes.z, other.nodes.z, other.pair(sigma)
         for side in self.nodes.side:
             for k in side:
                 full, rest = acb(1), acb(0)  # Π(z_k − w) and Σ a Π'(z_k − w)
@@ -1191,70 +1175,46 @@ class Split:
                     full, rest = full * gap, rest * gap + a[i] * full
                 if not abs(full + rest) < self.box[k] * self.nodes.own[k]:
                     return False
-        return True
+        return self.nodes.up == other.nodes.up
 
     def isolated(self, side: range) -> list[Any]:
         return isolated(self.tight, self.nodes.distance, side)
 
 
-def float_roots(local: Local, start: Sequence[complex]) -> list[complex]:
-    """Roots of D(·, m) from those of a neighbour, by Ehrlich's and Aberth's iteration: nothing rests on it."""
-    c = [complex(local.D[i, 0]) for i in range(local.degree, -1, -1)]
-    z = []  # off the real axis, where roots may meet, but not past each other
-    for k, p in enumerate(start):
-        gap = min((abs(p - other) for i, other in enumerate(start) if i != k), default=1.0)
-        z.append(p + 1j * min(1e-4 * (abs(p) or 1), 0.05 * (gap or 1)) * (-1) ** k)
-    for _ in range(40):
-        change = 0.0
-        for k, p in enumerate(z):
-            value, slope = c[0], 0j
-            for a in c[1:]:
-                slope = slope * p + value
-                value = value * p + a
-            step = value / (slope or 1e-300)
-            repel = sum(1 / (p - other) for i, other in enumerate(z) if i != k and other != p)
-            step = step / ((1 - step * repel) or 1)
-            z[k] = p - step
-            change = max(change, abs(step) / (abs(p) or 1))
-        if change < 1e-8:  # of the third order
-            break
-    top = max(map(abs, z), default=1.0)
-    for i, k in combinations(range(len(z)), 2):
-        scale = max(abs(z[i]), abs(z[k]), 1e-12 * top)
-        if abs(z[i] - z[k]) < 1e-7 * scale:  # nodes must be apart
-            z[k] += 1e-3 * scale
-    return z
-
-
-def roots_near(local: Local, start: Sequence[complex] | None = None) -> list[Any]:
-    """Approximate roots of D(·, m) to the present precision, from those of a neighbour or by FLINT's finder."""
+def p_roots(local: Local) -> list[Any]:
+    """Near the roots of D(·, m), exact numbers, to half of the digits computed with: nothing rests on them."""
     D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
-    z = [acb(x) for x in float_roots(local, [complex(x) for x in D.roots()] if start is None else start)]
-    return z if flint.ctx.prec <= 64 else sharp_roots(local, z)
+    size = abs(D[0] / D[local.degree]) ** arb(fmpq(1, local.degree))
+    try:
+        found = D.roots(tol=size * arb(2) ** (-flint.ctx.prec // 2), maxprec=4 * flint.ctx.prec + 1000)
+    except ValueError:
+        raise Refused("p-roots meet in the middle of a piece") from None
+    return [x.mid() for x in found]
 
 
-def following(local: Local, start: Sequence[Any]) -> list[Any]:
-    """Near the roots of D(·, m), each from the one of a neighbour: floats, or balls' middles beyond 64 bits.
-
-    Next to a branch point two roots may be closer than floats tell.
-    """
-    return float_roots(local, start) if flint.ctx.prec <= 64 else sharp_roots(local, start)
+def nearest(x: Any, others: Sequence[Any]) -> int:
+    """The number of the one next to x. Nothing rests on it."""
+    return min(range(len(others)), key=lambda k: abs(complex(x - others[k])))
 
 
-def sharp_roots(local: Local, start: Sequence[Any]) -> list[Any]:
-    """The same iteration in balls' middles, to more than half of the precision."""
+def nodes_near(local: Local, known: Known | None = None) -> Nodes:
+    """Nodes at the p-roots of a middle; for U those with Re P < 0, or those next to the first of the known ones."""
+    z = p_roots(local)
+    side = [x.real > 0 if known is None else nearest(x, known[0]) >= known[1] for x in z]
+    order = sorted(range(len(z)), key=side.__getitem__)
+    return Nodes([z[k] for k in order], side.count(False), local)
+
+
+def split_near(local: Local, known: Known) -> Split:
+    """The pair over a place, or Refused: from nodes that go on from known ones, or next to them."""
     D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
-    slope, z, goal = D.derivative(), [acb(x) for x in start], arb(2) ** (-flint.ctx.prec // 2)
-    for _ in range(40):
-        small = True
-        for k, p in enumerate(z):
-            step = D(p) / slope(p)
-            step = step / (1 - step * sum((1 / (p - other) for i, other in enumerate(z) if i != k), acb(0)))
-            require(step.is_finite(), "p-roots meet on a path")
-            z[k], small = (p - step).mid(), small and bool(abs(step) < goal * abs(p))
-        if small:
-            return z
-    raise Refused("p-roots meet on a path")
+    z, slope = known[0], D.derivative()
+    for _ in range(flint.ctx.prec.bit_length() - 4):  # by Newton's method: nothing rests on it
+        z = [(x - D(x) / slope(x)).mid() for x in z]
+    try:
+        return Nodes(z, known[1], local).split()
+    except Refused:
+        return nodes_near(local, known).split()
 
 
 def sided(split: Split) -> bool:
@@ -1266,12 +1226,6 @@ def sided(split: Split) -> bool:
 def check_sides(split: Split) -> None:
     """U has the roots with Re P < 0, L those with Re P > 0, over the whole place."""
     require(sided(split), "a p-root may be real there")
-
-
-def nodes_near(local: Local, start: Sequence[complex] | None = None) -> Nodes:
-    """Nodes at the p-roots of a middle, those with Re P < 0 for U."""
-    z = sorted(roots_near(local, start), key=lambda x: float(x.real))
-    return Nodes(z, sum(bool(x.real < 0) for x in z), local)
 
 
 # --- kernels: G(ξ) over a place ---------------------------------------------------------------------------
@@ -1369,9 +1323,9 @@ class Origin:
         for kind, (local, (_, first, last)) in enumerate(zip(self.locals(r), self.kinds, strict=True)):
             z = [x.mid() for x in acb_poly([local.D[i, 0].mid() for i in range(first, last + 1)]).roots()]
             E, sizes = local.about(z, local.D)
-            sizes[1] = E[1].spread
+            sizes[:2] = E[0].size, E[1].spread
             found = []
-            for one, slope, *row in zip(z, E[1].sizes[0], *sizes, strict=True):
+            for one, slope, *row in zip(z, E[1].sizes(0), *sizes, strict=True):
                 e = alone(row, slope)
                 require(abs(one.real) > e, "a p-root may be real next to q = 0")
                 found.append((kind, int(one.real > 0), one, e))
@@ -1400,10 +1354,10 @@ class Origin:
         sides = [[n for n, one in enumerate(found) if one[1] == side] for side in (0, 1)]
         return summed(self.waves, local.place, P, weight, sides)[0]
 
-    def nodes(self, sigma: complex) -> list[complex]:
-        """Floats near the p-roots, those of U first."""
+    def near(self, sigma: Any) -> Known:
+        """Near the p-roots."""
         found = sorted(self.roots(arb(0)), key=lambda one: one[1])
-        return [complex(z) * (1 if kind else sigma) for kind, _, z, _ in found]
+        return [z * (1 if kind else sigma) for kind, _, z, _ in found], sum(not side for _, side, _, _ in found)
 
     def links(self, thin: Split, r: Any) -> bool:
         """Whether the pair of a thin splitting, at a σ with |σ| ≤ r, has the roots of both sides here."""
@@ -1562,20 +1516,8 @@ def near_weights(E: Any, goal: float) -> tuple[list[Any], Any]:
 
 
 def moduli(a: Any) -> Any:
-    """The matrix of the moduli of the entries."""
-    return arb_mat(a.nrows(), a.ncols(), [abs(x) for x in a.entries()])
-
-
-@lru_cache(maxsize=64)
-def tiny_balls(n: int) -> tuple[Any, Any]:
-    """A matrix of balls round 0, and bounds of the moduli of what they hold."""
-    return acb_mat(n, n, [box(arb(2.0**-40))] * (n * n)), arb_mat(n, n, [2.0**-39] * (n * n))
-
-
-def small(a: Any) -> Any:
-    """Bounds of the moduli of entries that most often are all tiny."""
-    balls, bounds = tiny_balls(a.nrows())
-    return bounds if balls.contains(a) else moduli(a)
+    """Upper bounds of the moduli of the entries."""
+    return arb_mat(a.nrows(), a.ncols(), [x.abs_upper() for x in a.entries()])
 
 
 @lru_cache(maxsize=64)
@@ -1629,46 +1571,31 @@ def diagonal(a: Any) -> Iterator[Any]:
     yield from diagonal(left)
 
 
-def greatest_first(a: list[list[Any]]) -> list[int]:
-    """An order of elimination on the diagonal, the greatest pivot first, in floats: nothing rests on it."""
-    b, left, order = [[complex(x) for x in row] for row in a], list(range(len(a))), []
-    while left:
-        k = max(left, key=lambda i: abs(b[i][i]) / (1e-300 + sum(abs(b[i][j]) for j in left)))
-        left.remove(k)
-        order.append(k)
-        for i in left:
-            factor = b[i][k] / (b[k][k] or 1e-300)
-            if factor:
-                row, source = b[i], b[k]
-                for j in left:
-                    row[j] -= factor * source[j]
-    return order
-
-
 # --- walking along the paths ------------------------------------------------------------------------------
 
 
-@dataclass
+@dataclass(repr=False, eq=False)
 class Mark:
-    """A point of a path: float p-roots, the thin splitting there, and the matrix there once it is needed.
+    """A point of a path, and a splitting whose disc holds it; the thin one there once it is needed.
 
-    split: None at q = 0 where waves come to P = 0 there. beside: a pole, and what `turn_beside` needs there for it.
+    known: None at q = 0 where waves come to P = 0 there. matrices: a pole, and those of `Walker.over` for it.
     """
 
     q: Point
-    z: list[complex]
-    split: Any
-    matrix: Any = None
-    beside: tuple[Any, list[Any]] = (None, [])
+    known: Any
+    thin: Any = None
+    matrices: tuple[Any, list[Any]] = (None, [])
 
 
-@dataclass
+JOIN = "the splitting does not join on to its neighbour's"
+
+
+@dataclass(repr=False, eq=False)
 class Walker:
     """Carries the splitting along the paths, and proves each piece."""
 
     waves: Waves
     bordered: Bordered
-    up: int = 0
     work: float = 0.0
     pieces: int = 0
     marks: dict[Point, Mark] = field(default_factory=dict)
@@ -1677,94 +1604,82 @@ class Walker:
         self.work += units
         require(self.work < MAX_WORK, "the certificate asks for more work than this verifier does")
 
+    def at(self, sigma: Any, known: Known) -> Split:
+        """The thin splitting at a point, from numbers near its nodes."""
+        return split_near(self.waves.near(Place.disc(sigma, ZERO)), known)
+
     def begin(self, depth: Any) -> None:
         """The pair at q = −i·depth is (roots with Re P < 0, the others): each root in a disc on its side."""
-        nodes = nodes_near(self.waves.near(Place.disc(acb(arb(depth)), ZERO)))
-        self.up, split = nodes.up, nodes.split()
+        split, at = nodes_near(self.waves.near(Place.disc(acb(arb(depth)), ZERO))).split(), (fmpq(0), -depth)
         check_sides(split)
-        at = (fmpq(0), -depth)
-        self.marks[at] = Mark(at, [complex(x) for x in nodes.z], split)
+        self.marks[at] = Mark(at, split, split)
 
-    def mark(self, q: Point, near: Sequence[complex]) -> Mark:
-        local = self.waves.near(Place.disc(at_q(q), ZERO))
-        z = following(local, near)
-        return Mark(q, z, Nodes([acb(x) for x in z], self.up, local).split())
+    def thin(self, mark: Mark) -> Split:
+        """The thin splitting at a mark, of the pair that is known there."""
+        if mark.thin is None:
+            sigma = at_q(mark.q)
+            split: Split = self.at(sigma, mark.known.near(sigma))
+            require(mark.known.links(split, sigma), JOIN)
+            mark.thin = split
+        return mark.thin  # type: ignore[no-any-return]
 
-    def matrix(self, mark: Mark) -> Any:
-        if mark.matrix is None:
-            G = kernels(self.waves, mark.split)[0]
-            ((mark.matrix,), _) = self.bordered(mark.split.nodes.local.place, G)
-        return mark.matrix
+    def over(self, split: Split, pole: Any) -> list[Forms]:
+        """Matrices over a place whose determinants have the product Δ̂, up to a constant: next to a branch point,
+        where P = pole is nearly double, of Δ̂/g and of g, which have no pole that differs from theirs."""
+        place, (G, g) = split.nodes.local.place, kernels(self.waves, split, pole)
+        if pole is None:
+            return [self.bordered(place, G)]
+        return [self.bordered.beside_pole(place, G, g, pole), ([acb_mat([row]) for row in g.k], arb_mat([g.e]))]
+
+    def matrices(self, mark: Mark, pole: Any) -> list[Any]:
+        """Those at a mark."""
+        if mark.matrices[0] is not pole or not mark.matrices[1]:
+            mark.matrices = pole, [a for (a,), _ in self.over(self.thin(mark), pole)]
+        return mark.matrices[1]
+
+    def chain(self, kind: str, points: Sequence[Point], pole: Any = None) -> tuple[list[Mark], list[list[Turn]]]:
+        """Proves every piece of a path: the marks at its points and, for "turn", the turns of each piece."""
+        require(points[0] in self.marks, "a path does not begin where an earlier one ends")
+        marks, turns = [self.marks[points[0]]], []
+        for k, b in enumerate(points[1:]):
+            try:
+                end, turn = self.piece(kind, marks[-1], b, pole)
+            except Refused as error:
+                x, y = (float(arb(c)) for c in points[k])
+                raise Refused(f"piece {k} of a path ({kind}), from q = {x:.6g}{y:+.6g}i: {error}") from None
+            marks.append(end)
+            turns.append(turn)
+        return marks, turns
 
     def path(self, path: Path) -> Any:
         """Proves every piece; the change of arg Δ̂ along the path, for "turn"."""
-        kind, points = path.kind, path.points
-        require(points[0] in self.marks, "a path does not begin where an earlier one ends")
-        marks, turns = [self.marks[points[0]]], []
-        for k, (a, b) in enumerate(pairwise(points)):
-            try:
-                end, turn = self.piece(kind, marks[-1], b)
-            except Refused as error:
-                x, y = (float(arb(c)) for c in a)
-                raise Refused(f"piece {k} of a path ({kind}), from q = {x:.6g}{y:+.6g}i: {error}") from None
-            marks.append(end)
-            turns += [turn] if turn is not None else []
-            self.marks[b] = end
-        return self.turned(marks, turns) if turns else arb(0)
+        marks, turns = self.chain(path.kind, path.points)
+        self.marks |= {mark.q: mark for mark in marks}
+        return self.turned(marks, turns) if path.kind == "turn" else arb(0)
 
-    def turned(self, marks: Sequence[Mark], turns: Sequence[Turn]) -> Any:
-        """The change of arg Δ̂ along pieces that follow each other: from piece to piece arg det R A jumps by what the
-        determinants of R say, but for whole turns, which rough bounds tell. Where they do not, A is taken there."""
-        total, i, last = (
-            turns[-1].sharp(self.matrix(marks[-1])) - turns[0].sharp(self.matrix(marks[0])),
-            0,
-            len(turns) - 1,
-        )
-        while i < last:
-            about, lost, j = arb(0), turns[i].lost, i
-            while j < last and lost + turns[j + 1].lost < 3:
-                at = at_q(marks[j + 1].q)
-                about += turns[j].near(at) - turns[j + 1].near(at)
-                j += 1
-                lost += 2 * turns[j].lost
-            known = (turns[i].det / turns[j].det).arg()
-            whole = ((about + arb(0, 3) - known) / (2 * arb.pi())).unique_fmpz() if j > i else None
-            if whole is None:
-                here = self.matrix(marks[i + 1])
-                total += turns[i].sharp(here) - turns[i + 1].sharp(here)
-                i += 1
-            else:
-                total += known + 2 * arb.pi() * int(whole)
-                i = j
+    def turned(self, marks: Sequence[Mark], turns: Sequence[Sequence[Turn]], pole: Any = None) -> Any:
+        """The change of arg Δ̂ along pieces that follow each other."""
+        total = arb(0)
+        for k, row in enumerate(zip(*turns, strict=True)):
+            total += turned_one(marks, row, partial(lambda k, mark: self.matrices(mark, pole)[k], k))
         return total
 
     def around(self, loop: Loop, pole: Any) -> tuple[Any, Any]:
         """The change of arg Δ̂ along a loop that comes back to its pair, and along its first part; the mark there."""
-        require(loop.points[0] in self.marks, "a loop does not begin on its path")
-        first = mark = self.marks[loop.points[0]]
-        total, part, back = arb(0), arb(0), loop.back
-        for k, (a, b) in enumerate(pairwise(loop.points), 1):
-            try:
-                end, turned = self.piece("turn", mark, b, pole)
-                total += turned if pole is not None else self.turned([mark, end], [turned])
-                mark = end
-            except Refused as error:
-                raise Refused(f"a loop, from q = {float(arb(a[0])):.6g}{float(arb(a[1])):+.6g}i: {error}") from None
-            if k == back:
-                self.marks[b], part = mark, total
+        marks, turns = self.chain("turn", loop.points, pole)
+        first, last, back = marks[0], marks[-1], loop.back
+        self.marks[loop.points[back]] = marks[back]
         m = at_q(first.q)  # a disc round the point, small beside the way to the branch point
         local = self.waves.near(Place.disc(m, (abs(m) * arb(loop.radius / loop.centre) / 64).upper()))
-        about = Nodes([acb(x) for x in first.z], self.up, local).split()
-        same = about.links(first.split) and about.links(mark.split)
+        split = self.thin(first)
+        about = Nodes(split.nodes.z, split.nodes.up, local).split()
+        same = about.links(split, m) and about.links(self.thin(last), m)
         require(same, "a loop does not come back to the splitting that it began with")
-        return total, part
+        return self.turned(marks, turns, pole), self.turned(marks[: back + 1], turns[:back], pole)
 
-    def piece(self, kind: str, mark: Mark, b: Point, pole: Any = None) -> tuple[Mark, Any]:
-        """From a mark to b: the disc over both, its splitting linked with those there, and what `kind` asks.
-
-        With it the `Turn` of Δ̂; with a pole the change of its argument.
-        """
-        n, size = len(mark.z), self.bordered.size
+    def piece(self, kind: str, mark: Mark, b: Point, pole: Any = None) -> tuple[Mark, list[Turn]]:
+        """From a mark to b: the disc over both, its splitting linked with the one before, and what `kind` asks."""
+        n, size = self.waves.track.degree, self.bordered.size
         self.pieces += 1
         self.spend(60 * n**2 + (0 if kind == "link" else 12 * n * len(self.waves.gaps) + 100 * n**2 + size**3 / 3))
         a = mark.q
@@ -1775,58 +1690,36 @@ class Walker:
         half = at_q(((b[0] - a[0]) / 2, (b[1] - a[1]) / 2))
         r = (abs(half) * arb(1 + 2.0**-12)).upper()
         local = self.waves.near(Place.disc(m, r))
-        z = following(local, mark.z)
-        disc = Nodes([acb(x) for x in z], self.up, local).split()
-        end = self.mark(b, z)
-        for side in (mark, end):
-            require(disc.links(side.split), "the splitting does not join on to its neighbour's")
-        if kind == "link":
-            return end, None
-        if pole is not None:
-            return end, self.turn_beside(mark, end, disc, pole)
-        G = kernels(self.waves, disc)[0]
+        before = at_q(a)
+        disc = split_near(local, mark.known.near(m))
+        require(disc.links(mark.known, before) or disc.links(self.thin(mark), before), JOIN)
+        end = Mark(b, disc)
+        if kind == "turn":
+            return end, [Turn.over(part, local.place) for part in self.over(disc, pole)]
         if kind == "passive":
-            self.passive(local.place, half / r, G)
-            return end, None
-        return end, Turn.over(self.bordered(local.place, G), local.place)
+            self.passive(local.place, half / r, kernels(self.waves, disc)[0])
+        return end, []
 
     @cached_property
     def origin(self) -> Origin | None:
         """What stands for a splitting at q = 0 where D has no terms of first order."""
         return Origin(self.waves) if min(i + j for i, j in self.waves.track.d) > 1 else None
 
-    def piece_at_origin(self, origin: Origin, kind: str, mark: Mark, b: Point) -> tuple[Mark, Any]:
+    def piece_at_origin(self, origin: Origin, kind: str, mark: Mark, b: Point) -> tuple[Mark, list[Turn]]:
         """From a mark to b, one of them q = 0: the disc round 0 that holds the other."""
         require(kind != "passive", "a passive piece ends at q = 0, where waves come to P = 0")
         out, other = (b != (0, 0)), at_q(b if b != (0, 0) else mark.q)
         r = (abs(other) * arb(1 + 2.0**-12)).upper()
-        end = self.mark(b, origin.nodes(complex(other))) if out else Mark(b, mark.z, None)
-        require(origin.links((end if out else mark).split, r), "the splitting does not join on to q = 0")
+        split = self.at(other, origin.near(other)) if out else self.thin(mark)
+        end = Mark(b, split, split) if out else Mark(b, None)
+        require(origin.links(split, r), "the splitting does not join on to q = 0")
         if kind == "link":
-            return end, None
+            return end, []
         for one in (mark, end):
-            if one.split is None and one.matrix is None:
-                ((one.matrix,), _) = self.bordered(Place.disc(acb(0), ZERO), origin.kernels(ZERO))
+            if one.known is None and not one.matrices[1]:
+                one.matrices = None, list(self.bordered(Place.disc(acb(0), ZERO), origin.kernels(ZERO))[0])
         place = Place.disc(acb(0), r)
-        return end, Turn.over(self.bordered(place, origin.kernels(r)), place)
-
-    def turn_beside(self, mark: Mark, end: Mark, disc: Split, pole: Any) -> Any:
-        """The same next to a branch point: Δ̂ = g·(Δ̂/g), two determinants without a pole that differs from them."""
-        turns = [Turn.over(part, disc.nodes.local.place) for part in self.both(disc, pole)]
-        ends = zip(turns, self.beside(mark, pole), self.beside(end, pole), strict=True)
-        return sum((turn.sharp(stop) - turn.sharp(start) for turn, start, stop in ends), arb(0))
-
-    def both(self, split: Split, pole: Any) -> list[Forms]:
-        """The two matrices."""
-        H, g = kernels(self.waves, split, pole)
-        alone_ = [acb_mat([row]) for row in g.k], arb_mat([g.e])
-        return [self.bordered.beside_pole(split.nodes.local.place, H, g, pole), alone_]
-
-    def beside(self, mark: Mark, pole: Any) -> list[Any]:
-        """The two matrices at a mark."""
-        if mark.beside[0] is not pole:
-            mark.beside = pole, [a for (a,), _ in self.both(mark.split, pole)]
-        return mark.beside[1]
+        return end, [Turn.over(self.bordered(place, origin.kernels(r)), place)]
 
     def passive(self, place: Place, direction: Any, G: Form) -> None:
         """The Hermitian part of V = σ(G_ij), over the places, is positive definite on u = direction·(−1 … 1)."""
@@ -1856,13 +1749,13 @@ def definite(H: Sequence[Any], E: Any) -> bool:
         return False
     left = acb_mat(X)
     right, size = left.conjugate().transpose(), moduli(left)
-    F = small(left * H[0] * right - identity(n)) + size * E * size.transpose()
+    F = moduli(left * H[0] * right - identity(n)) + size * E * size.transpose()
     for a in H[1:]:
         F = F + moduli(left * a * right)
     return contracting(F)
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Turn:
     """det A ≠ 0 on a disc |σ − m| ≤ r: R A is near 1, so that arg det R A is the sum of Arg over its pivots.
 
@@ -1881,7 +1774,7 @@ class Turn:
         R = near_inverse(A)
         one = identity(R.nrows())
         near, ahead, rest = R * A - one, R * slope, moduli(R) * rest
-        E = small(near) + moduli(ahead) + rest
+        E = moduli(near) + moduli(ahead) + rest
         require(contracting(E), "the determinant may vanish on it: it is too long, or meets a root")
         lost = abs(near.trace()) + rest.trace() - (one.real - E).det().log() - E.trace()
         return cls(place, R, ahead.trace(), lost)
@@ -1905,24 +1798,46 @@ class Turn:
         return (self.slope * (sigma - self.place.middle[0]) / self.place.half[0]).imag
 
 
+def turned_one(marks: Sequence[Mark], turns: Sequence[Turn], matrix: Callable[[Mark], Any]) -> Any:
+    """Of one determinant: from piece to piece arg det R A jumps by what the determinants of R say, but for whole
+    turns, which rough bounds tell. Where they do not, A is taken there."""
+    total, i, last = turns[-1].sharp(matrix(marks[-1])) - turns[0].sharp(matrix(marks[0])), 0, len(turns) - 1
+    while i < last:
+        about, lost, j = arb(0), turns[i].lost, i
+        while j < last and lost + turns[j + 1].lost < 3:
+            at = at_q(marks[j + 1].q)
+            about += turns[j].near(at) - turns[j + 1].near(at)
+            j += 1
+            lost += 2 * turns[j].lost
+        known = (turns[i].det / turns[j].det).arg()
+        whole = ((about + arb(0, 3) - known) / (2 * arb.pi())).unique_fmpz() if j > i else None
+        if whole is None:
+            here = matrix(marks[i + 1])
+            total += turns[i].sharp(here) - turns[i + 1].sharp(here)
+            i += 1
+        else:
+            total += known + 2 * arb.pi() * int(whole)
+            i = j
+    return total
+
+
 def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]] | None:
     """X with X H X* ≈ 1, in floats, or None: nothing rests on it."""
     n = len(h)
-    low = [[0j] * n for _ in range(n)]
-    X = [[0j] * n for _ in range(n)]
-    for i in range(n):
-        for j in range(i + 1):
-            x = h[i][j] - sum(low[i][k] * low[j][k].conjugate() for k in range(j))
-            if i == j:
-                if not x.real > 0:
-                    return None
-                low[i][i] = complex(x.real**0.5)
-            else:
-                low[i][j] = x / low[j][j]
-        for j in range(i + 1):
-            x = (1.0 if i == j else 0.0) - sum(low[i][k] * X[k][j] for k in range(j, i))
-            X[i][j] = x / low[i][i]
-    return X
+    low: list[list[complex]] = []  # conjugates of the rows of Cholesky's factor, left of the diagonal
+    columns: list[list[complex]] = [[] for _ in range(n)]  # of X
+    for i, row in enumerate(h):
+        one: list[complex] = []
+        for j in range(i):
+            one.append((row[j] - sum(map(mul, one, low[j]))) * columns[j][0])
+        x = row[i].real - sum(abs(y) ** 2 for y in one)
+        if not x > 0:
+            return None
+        low.append([y.conjugate() for y in one])
+        for j in range(i):
+            columns[j].append(-sum(map(mul, one[j:], columns[j])) / x**0.5)
+        columns[i].append(1 / x**0.5 + 0j)
+    return [[columns[j][i - j] if j <= i else 0j for j in range(n)] for i in range(n)]
 
 
 # --- the track alone: passive for all real q ≥ X, and decay at infinity -----------------------------------
@@ -2093,7 +2008,7 @@ def check_edges(d: Any, n: Any, v: Any, ring: Any, slow: bool) -> None:
 # --- regions ----------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Region:
     """Where the roots are counted. All numbers exact; height 0: only Im q < 0."""
 
@@ -2152,7 +2067,7 @@ def read_region(value: Any) -> Region:
     return Region(kind, height, reach)
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Path:
     kind: str
     points: list[Point]
@@ -2266,21 +2181,21 @@ def accretive(b: Bordered, sigma: Any, G: Sequence[Any]) -> list[list[Any]]:
     return a
 
 
-def closing(b: Bordered, waves: Waves, mark: Mark) -> Any:
+def closing(walker: Walker, mark: Mark) -> Any:
     """Σ Arg of the pivots of M = [[S/σ, −B], [Bᵀ, σ(G + h)]] at a mark σ = iρ: an accretive matrix.
 
     The more contacts, the more digits elimination loses: G is taken with as many as leave the sum sharp.
     """
-    rho = mark.q[0]
-    split, bits, order = mark.split, flint.ctx.prec, None
+    sigma, b, split = at_q(mark.q), walker.bordered, walker.thin(mark)
+    bits, sharper = flint.ctx.prec, split
     for more in (1, 2, 4, 8, 16):
         with precision(bits * more):
-            waves = Waves(waves.track, b.vehicle.places)
+            waves = Waves(walker.waves.track, b.vehicle.places)
             try:
-                split = mark.split if more == 1 else sharper(waves, mark)
-                a = accretive(b, acb(0, arb(rho)), kernels(waves, split)[0].k[0])
-                order = order or greatest_first(a)
-                total = pivots(acb_mat([[a[i][j] for j in order] for i in order]))
+                if more > 1:
+                    sharper = split_near(waves.near(Place.disc(at_q(mark.q), ZERO)), split.near(sigma))
+                    require(split.links(sharper, sigma), "sharper p-roots are not those of the mark")
+                total = pivots(acb_mat(accretive(b, at_q(mark.q), kernels(waves, sharper)[0].k[0])))
             except Refused:
                 continue
             if total.is_finite() and total.rad() < 0.1:
@@ -2288,12 +2203,10 @@ def closing(b: Bordered, waves: Waves, mark: Mark) -> Any:
     raise Refused("a pivot may vanish where the path comes to its corner")
 
 
-def sharper(waves: Waves, mark: Mark) -> Split:
-    """The pair of a mark from nodes with as many digits as are computed with."""
-    local = waves.near(Place.disc(at_q(mark.q), ZERO))
-    split = Nodes(roots_near(local, mark.z), mark.split.nodes.up, local).split()
-    require(mark.split.links(split), "sharper p-roots are not those of the mark")
-    return split
+def whole(number: Any) -> int:
+    n = number.unique_fmpz()
+    require(n is not None, "the change of the argument does not tell the number of roots")
+    return int(n)
 
 
 def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: Any, track: Track) -> int:
@@ -2311,19 +2224,17 @@ def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: 
                 check_decay(RING, track.D, track.N, RING.constant(track.v))
                 check_tail(track, theorem, paths[3].points[-1][0], b.vehicle.sites)
         rho = paths[1].points[-1][0]
-        closed = closing(b, walker.waves, walker.marks[rho, fmpq(0)])
+        closed = closing(walker, walker.marks[rho, fmpq(0)])
         number = (closed + (b.nb - b.nc - b.vehicle.neutral) * pi / 2 - turned) / pi
     else:
         number = turned / (2 * pi) if region.kind == "rectangle" else -turned / pi
-    n = number.unique_fmpz()
-    require(n is not None, "the change of the argument does not tell the number of roots")
-    return int(n)
+    return whole(number)
 
 
 # --- the whole sheet --------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Sheet:
     """A beam whose cuts lie on Im q = height: undamped in τ = σ + height; the vehicles below and above that line."""
 
@@ -2355,7 +2266,7 @@ class Sheet:
         return [t[0, 0] + t[0, 2] * square, -t.get((2, 0), fmpq(0)) - t[0, 2] * self.track.v**2, t[4, 0]]
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Loop:
     """A closed path several times round the one branch point in |z − centre| ≤ radius, first below the real axis."""
 
@@ -2416,13 +2327,10 @@ def check_loop(loop: Loop, track: Track, sites: int, walker: Walker) -> Any:
     pole = None
     if times == 1:  # where the pair meets: any number would do, a near one serves
         require(loop.points[0] in walker.marks, "a loop does not begin on its path")
-        local = walker.waves.near(Place.disc(acb(0, 1) * z.mid(), ZERO))
-        p = float_roots(local, [complex(x) for x in walker.marks[loop.points[0]].z])
-        near = min(combinations(p, 2), key=lambda two: abs(two[0] - two[1]))
-        pole = acb(0, (near[0] + near[1]).imag / 2)
-        slope = acb_poly([local.D[i, 0] for i in range(local.degree + 1)]).derivative()
-        for _ in range(flint.ctx.prec.bit_length() - 4 if flint.ctx.prec > 64 else 0):
-            pole = acb(0, (pole - slope(pole) / slope.derivative()(pole)).imag).mid()
+        beside = (z + radius / 1024).mid()  # at z itself two are one
+        p = p_roots(walker.waves.near(Place.disc(acb(0, 1) * beside, ZERO)))
+        near = min(combinations(p, 2), key=lambda two: abs(complex(two[0] - two[1])))
+        pole = acb(0, (near[0] + near[1]).imag / 2).mid()
     whole, part = walker.around(loop, pole)
     require((whole / (2 * arb.pi())).unique_fmpz() == -poles, "a root lies next to a branch point")
     return part
@@ -2499,14 +2407,13 @@ def far_waves(d: Sums, r: Any) -> list[Any]:
     """
     corner = [acb(fmpq(x, 4)).exp_pi_i() for x in (-3, 3, -1, 1)]
     before, bounds = [(z, arb(2.0**-30)) for z in corner], [arb(0)] * 5
-    steps = [(r * fmpq(i, 8), r / 14) for i in range(8)]
+    steps = [(r * fmpq(i, 4), r / 7) for i in range(4)]
     size = r * (2 * arb(fmpq(1, 2 * ARCS)).sin_pi() * 1.001)  # half way to the next one, on the circle
     arcs = [(r * acb(fmpq(2 * i, ARCS)).exp_pi_i(), size) for i in range(ARCS // 4 + 1)]
     for i, (middle, e) in enumerate([*steps, *arcs]):
         center, e = middle.mid(), e.upper() + (middle - middle.mid()).abs_upper()
         here = Local(Place.disc(center, e), d, Sums.of([{(0,): arb(1)}]))
-        z = float_roots(here, [complex(x) for x, _ in before])
-        split = Nodes([acb(x) for x in z], 2, here).split()
+        split = split_near(here, ([x for x, _ in before], 2))
         radii = [x for side in split.nodes.side for x in (split.isolated(side))]
         now = list(zip(split.nodes.z, radii, strict=True))
         touch = [[not abs(x - y) > d + f for y, f in before] for x, d in now]
@@ -2589,11 +2496,9 @@ def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
         spent.pieces += walker.pieces
     marks = (up if two else below).marks
     require((end, zero) in marks, "the count does not come to its end")
-    b, pi, last = up.bordered, arb.pi(), marks[end, zero]
-    closed = closing(b, waves, last) + (b.nb - b.nc) * pi / 2
-    n = ((closed - turned) * (1 if damped else 2) / pi).unique_fmpz()
-    require(n is not None, "the change of the argument does not tell the number of roots")
-    return int(n)
+    b, pi = up.bordered, arb.pi()
+    closed = closing(up, marks[end, zero]) + (b.nb - b.nc) * pi / 2
+    return whole((closed - turned) * (1 if damped else 2) / pi)
 
 
 def count_beside(sheet: Sheet, region: Region, spent: Walker, content: Any, start: Any) -> int:
@@ -2614,10 +2519,9 @@ def count_beside(sheet: Sheet, region: Region, spent: Walker, content: Any, star
     check_lines(turn.points, [(a, c), (b, c), (b, d), (a, d), (a, c)])
     walker.begin(start)
     walker.path(link)
-    n = (walker.path(turn) / (2 * arb.pi())).unique_fmpz()
+    n = whole(walker.path(turn) / (2 * arb.pi()))
     spent.pieces += walker.pieces
-    require(n is not None, "the change of the argument does not tell the number of roots")
-    return int(n)
+    return n
 
 
 def in_gap(sheet: Sheet, z: Any) -> bool:
@@ -2631,7 +2535,7 @@ def in_gap(sheet: Sheet, z: Any) -> bool:
 # --- roots ------------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@dataclass(repr=False, eq=False)
 class Root:
     """Claimed: exactly `multiplicity` roots with |q − z| ≤ radius; `pair`: and as many at −q̄."""
 
@@ -2727,6 +2631,16 @@ def framed(a: Any, right: Rows, low: Rows) -> Rows:
     return rows + [[*row, *[0] * len(low)] for row in low]
 
 
+def require_apart(balls: list[tuple[Point, Any]], why: str) -> None:
+    """No two closed discs (middle, radius) have a point in common."""
+    balls.sort(key=lambda ball: ball[0][0] - ball[1])
+    for k, ((x, y), r) in enumerate(balls):
+        for (u, w), s in balls[k + 1 :]:
+            if u - s > x + r:
+                break
+            require((u - x) ** 2 + (w - y) ** 2 > (r + s) ** 2, why)
+
+
 def check_roots(values: Any, region: Region, track: Track, vehicle: Bodies, walker: Walker) -> list[Root]:
     """The claimed roots: inside the region, apart from each other, each proved."""
     roots = [read_root(value) for value in items(values, MAX_ROOTS, "roots")]
@@ -2743,12 +2657,7 @@ def check_roots(values: Any, region: Region, track: Track, vehicle: Bodies, walk
                 region.kind == "rectangle" or x == 0, f"root {k} is neither one of a pair nor on the imaginary axis"
             )
         balls.append((root.z, root.radius))
-    balls.sort(key=lambda ball: ball[0][0] - ball[1])
-    for k, ((x, y), r) in enumerate(balls):
-        for (u, w), s in balls[k + 1 :]:
-            if u - s > x + r:
-                break
-            require((u - x) ** 2 + (w - y) ** 2 > (r + s) ** 2, "two balls of roots overlap")
+    require_apart(balls, "two balls of roots overlap")
     for k, root in enumerate(roots):
         try:
             check_root(track, vehicle, root, walker)

@@ -110,10 +110,6 @@ def off_cut(w: Any) -> bool:
     return bool(w.real > 0 or w.imag > 0 or w.imag < 0)
 
 
-def ball(x: Any) -> Any:
-    return arb(x)
-
-
 def first(value: Any) -> Any:
     return value[0] if isinstance(value, acb_series) else value
 
@@ -131,8 +127,8 @@ class Function:
             self.depends[k] = steps[k][0] == "z" or any(self.depends[j] for j in taken(steps[k]))
         self.guarded = any(self.is_guard(k) for k in self.needed)
         self.factors: dict[int, int] = {}
-        self.split(output)
         self.constants: dict[int, dict[int, Any]] = {}
+        self.split(output)
 
     def is_guard(self, k: int) -> bool:
         name = self.steps[k][0]
@@ -145,7 +141,7 @@ class Function:
             k, power = stack.pop()
             step = self.steps[k]
             if not self.depends[k]:
-                require(self.constant(k).abs_lower() > 0, "a constant factor of the function may be 0")
+                require(self.ready()[k].abs_lower() > 0, "a constant factor of the function may be 0")
             elif step[0] == "mul":
                 stack += [(step[2], power), (step[1], power)]
             elif step[0] == "pow":
@@ -153,19 +149,12 @@ class Function:
             elif step[0] == "sub" and self.steps[step[1]] == ("number", fmpq(0)):
                 stack.append((step[2], power))
             elif step[0] == "div" and not self.depends[step[2]]:
-                require(self.constant(step[2]).is_finite(), "a constant factor of the function is not finite")
+                require(self.ready()[step[2]].is_finite(), "a constant factor of the function is not finite")
                 stack.append((step[1], power))
             else:
                 self.factors[k] = self.factors.get(k, 0) + power
             require(len(stack) <= MAX_STEPS and power <= MAX_POWER**2, "the function has too many factors")
             require(sum(self.factors.values()) <= MAX_POWER**2, "the function has too many factors")
-
-    def constant(self, k: int) -> Any:
-        values: dict[int, Any] = {}
-        for j in self.needed:
-            if j <= k and not self.depends[j]:
-                values[j] = applied(self.steps[j], values, None, 1)
-        return values[k]
 
     def ready(self) -> dict[int, Any]:
         bits = flint.ctx.prec
@@ -242,7 +231,7 @@ def applied(step: tuple[Any, ...], values: dict[int, Any], z: Any, n: int) -> An
     if name == "z":
         return z if n == 1 else acb_series([z, 1], prec=n)
     if name in LEAVES:
-        return acb(ball(step[1])) if name == "number" else acb(0, 1) if name == "i" else acb(arb.pi())
+        return acb(arb(step[1])) if name == "number" else acb(0, 1) if name == "i" else acb(arb.pi())
     a = values[step[1]]
     if name == "add":
         return a + values[step[2]]
@@ -291,8 +280,8 @@ def composed(name: str, parameter: Any, x: Any) -> Any:
     if name == "hyp0f1":  # d/dw ₀F₁(a; w) = ₀F₁(a + 1; w)/a
         factor = arb(1)
         for k in range(n):
-            row.append(w.hypgeom_0f1(acb(ball(parameter + k))) / factor)
-            factor = factor * ball(parameter + k) * (k + 1)
+            row.append(w.hypgeom_0f1(acb(arb(parameter + k))) / factor)
+            factor = factor * arb(parameter + k) * (k + 1)
     else:  # 2 J_m′ = J_{m−1} − J_{m+1}
         rest, fact = [w.bessel_j(acb(parameter + m)) for m in range(-(n - 1), n)], 1
         for k in range(n):
@@ -502,7 +491,7 @@ def hull(*points: Point) -> Any:
 
 def spread(xs: Sequence[Any]) -> Any:
     low, high = min(xs), max(xs)
-    return ball(low) if low == high else ball((low + high) / 2) + arb(0, ball((high - low) / 2).upper())
+    return arb(low) if low == high else arb((low + high) / 2) + arb(0, arb((high - low) / 2).upper())
 
 
 # --- analytic in the region (SPEC-ROOTS, 5) ---------------------------------------------------------------
@@ -711,7 +700,7 @@ def zeros_in(f: Function, below: Function | None, root: Root) -> list[int]:
     unsure = [k for k in f.factors if not over[k].abs_lower() > 0]
     most = min(root.multiplicity, MOST_TERMS)
     thin, wide = f.run(centre, most + 1), f.run(box, most + 2)
-    r = ball(root.r)
+    r = arb(root.r)
     found = dict.fromkeys(f.factors, 0)
     for k in unsure:
         a, b = thin[k], wide[k]
@@ -724,18 +713,6 @@ def zeros_in(f: Function, below: Function | None, root: Root) -> list[int]:
     total = sum(found[k] * power for k, power in f.factors.items())
     decide(total == root.multiplicity, f"it holds {total} zeros in place of {root.multiplicity}")
     return list(found.values())
-
-
-def check_apart(roots: Sequence[Root]) -> None:
-    """No two discs overlap."""
-    order = sorted(roots, key=lambda root: root.x - root.r)
-    active: list[Root] = []
-    for root in order:
-        active = [other for other in active if other.x + other.r >= root.x - root.r]
-        for other in active:
-            apart = (root.x - other.x) ** 2 + (root.y - other.y) ** 2 > (root.r + other.r) ** 2
-            require(apart, "two discs overlap")
-        active.append(root)
 
 
 # --- the claim --------------------------------------------------------------------------------------------
@@ -834,7 +811,7 @@ def region(content: dict[str, Any]) -> str:
         check_analytic(f, counted, cuts, content["trees"])
         numbers = count(f, legs, content["breaks"])
     roots = [read_root(one) for one in items(content["roots"], MAX_ROOTS, "roots")]
-    check_apart(roots)
+    spectra.require_apart([((root.x, root.y), root.r) for root in roots], "two discs overlap")
     held = [0] * len(numbers)
     for root in roots:
         require(place_of_box(counted, *root.corners) is True, "a disc is not inside the polygon that was counted")
@@ -851,13 +828,15 @@ def region(content: dict[str, Any]) -> str:
 
 
 def words(f: Function, below: Function | None, asked: Region, cuts: Sequence[Cut], total: int, discs: int) -> str:
-    text = f.shown if below is None else f"({f.shown})/({below.shown})"
     without = f", without the branch cuts {'; '.join(map(cut_words, cuts))}," if cuts else ""
     zeros = "zero" if total == 1 else "zeros"
     where = f" in {discs} disjoint discs" if total else ""
-    return (
-        f"f(z) = {text}\n{asked.words}{without} holds exactly {total} {zeros} of f, counted with multiplicity{where}"
-    )
+    holds = f"holds exactly {total} {zeros} of f, counted with multiplicity{where}"
+    return f"f(z) = {shown(f, below)}\n{asked.words}{without} {holds}"
+
+
+def shown(f: Function, below: Function | None) -> str:
+    return f.shown if below is None else f"({f.shown})/({below.shown})"
 
 
 def cut_words(cut: Cut) -> str:
@@ -892,10 +871,9 @@ def interval(content: dict[str, Any]) -> str:
         integer(content["claim"]["zeros"], 0, MAX_ROOTS, "zeros") == len(found),
         "the claimed number is not the proved one",
     )
-    text = f.shown if below is None else f"({f.shown})/({below.shown})"
     zeros = "zero" if len(found) == 1 else "zeros"
     claim = f"holds exactly {len(found)} real {zeros} of f, with multiplicities {times}"
-    return f"f(z) = {text}\n[{short(a)}, {short(b)}] {claim}"
+    return f"f(z) = {shown(f, below)}\n[{short(a)}, {short(b)}] {claim}"
 
 
 def tiles_of(g: Function, power: int, a: Any, b: Any, row: Any, f: Function) -> list[tuple[Any, Any, int]]:
@@ -911,12 +889,12 @@ def tiles_of(g: Function, power: int, a: Any, b: Any, row: Any, f: Function) -> 
         for (low, high), kind in zip(pairwise(places), kinds, strict=True):
             value = tile_value(g, acb(spread([low, high])), 2)
             if kind == ".":
-                start = tile_value(g, acb(ball((low + high) / 2)), 1)[0]
-                mean = start + value[1] * acb(arb(0, ball((high - low) / 2).upper()))
+                start = tile_value(g, acb(arb((low + high) / 2)), 1)[0]
+                mean = start + value[1] * acb(arb(0, arb((high - low) / 2).upper()))
                 require(value[0].abs_lower() > 0 or mean.abs_lower() > 0, "a tile may hold a zero")
                 continue
             require(kind == "1", "the kind of a tile is not known")
-            slope, ends = value[1].real, [tile_value(g, acb(ball(x)), 1)[0].real for x in (low, high)]
+            slope, ends = value[1].real, [tile_value(g, acb(arb(x)), 1)[0].real for x in (low, high)]
             require(slope > 0 or slope < 0, "the slope may vanish on a tile with a zero")
             at_end = (low == a and ends[0] == 0) or (high == b and ends[1] == 0)
             crosses = (ends[0] < 0 and ends[1] > 0) or (ends[0] > 0 and ends[1] < 0)
@@ -930,7 +908,7 @@ def tiles_of(g: Function, power: int, a: Any, b: Any, row: Any, f: Function) -> 
 def narrow(g: Function, u: Any, v: Any, low: Any, high: Any) -> tuple[Any, Any]:
     """The bracket: g is monotone on the tile and has two signs at u < v, or is exactly 0 at u = v."""
     require(low <= u <= v <= high, "a bracket is not in its tile")
-    signs = [tile_value(g, acb(ball(x)), 1)[0].real for x in (u, v)]
+    signs = [tile_value(g, acb(arb(x)), 1)[0].real for x in (u, v)]
     crosses = (signs[0] < 0 and signs[1] > 0) or (signs[0] > 0 and signs[1] < 0)
     require(crosses or (u == v and signs[0] == 0) or (u, v) == (low, high), "a bracket is not proved to hold a zero")
     return u, v

@@ -8,7 +8,6 @@ six times what `import mpsolve` may take, and reads "35 kN/mm" into floats unles
 from __future__ import annotations
 
 import re
-from difflib import get_close_matches
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any, NoReturn
@@ -182,6 +181,8 @@ def _near(name: str) -> str:
     """A unit that is meant, as far as one can tell; upper and lower case count."""
     if name.lower() in _WRITTEN:
         return f": did you mean {_WRITTEN[name.lower()]}?"
+    from difflib import get_close_matches
+
     names = [*_WHOLE, *(p + b for p in ("", *_PREFIXES) for b in _PREFIXED)]
     same = [known for known in names if known.lower() == name.lower()]
     near = same or get_close_matches(name, names, n=1, cutoff=0.7)

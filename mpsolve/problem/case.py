@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from typing import Any
 
 from mpsolve.errors import InputError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.problem.checked import BUCKLED, above_zero, at_least_zero, check_ascending, parsed
 
 
-@dataclass(frozen=True, init=False)
+@frozen
 class Case:
     """A dimensionless case (10)–(12) that is admissible: every bound below has been decided exactly.
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from mpsolve.errors import InputError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.problem.case import Case
 from mpsolve.problem.checked import BUCKLED, above_zero, at_least_zero, check_ascending, errors_under
 
 
-@dataclass(frozen=True, init=False)
+@frozen
 class Mass:
     """A moving mass M > 0 in kg at s = position in m, and the force P + P_A sin(ω_f t + φ_f) on it of (2).
 
@@ -39,7 +39,7 @@ class Mass:
         _check_rational(self)
 
 
-@dataclass(frozen=True, init=False)
+@frozen
 class PhysicalCase:
     """An admissible beam, foundation and load in SI units, as in (1) and (2), every value rational.
 

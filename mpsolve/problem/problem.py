@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from mpsolve.errors import InputError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.model import Quantity, rational, shown, typed
 from mpsolve.problem.parameters import changed, parameters_of, quantity_of
 from mpsolve.tracks.waveguide import Track, Waveguide
@@ -17,7 +17,7 @@ _MOST = 2000
 """Coordinates of all vehicles together."""
 
 
-@dataclass(frozen=True, init=False)
+@frozen
 class Problem:
     """Vehicles that move at the velocity v along a track; one consistent set of units, SI by default.
 

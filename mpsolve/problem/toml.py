@@ -7,8 +7,6 @@ import re
 import sys
 import tomllib
 from collections.abc import Mapping
-from datetime import date, time
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
@@ -172,6 +170,8 @@ def check_keys(table: Mapping[str, Any], known: Mapping[str, str], prefix: str) 
     """InputError under the first key of the table that is not known, with the nearest one that is."""
     for name in table:
         if name not in known:
+            from difflib import get_close_matches
+
             lower = {candidate.lower(): candidate for candidate in known}
             near = get_close_matches(name.lower(), lower, n=1, cutoff=0.5)
             if "spacing" in name.lower() and prefix.startswith("track"):
@@ -190,6 +190,8 @@ def kind(value: object) -> str:
     kinds = {bool: "a boolean", int: "a number", Written: "a number", str: "a text", list: "a list", dict: "a table"}
     if type(value) in kinds:
         return kinds[type(value)]
+    from datetime import date, time
+
     return "a date or time" if isinstance(value, (date, time)) else f"of type {type(value).__name__}"
 
 

@@ -30,7 +30,7 @@ from mpsolve.ranges.scope import Scope
 
 _MARKS = {NONZERO: "n", PASSIVE: "p", KNOWN: "z", ARC: "o", OPEN: "o", OUTSIDE: "b"}
 _REGIONS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
-_MOST_CELLS = 512  # along each parameter
+_MOST_CELLS, _MOST_NODES = 512, 20_000  # of a chart: along each parameter; of the tree, a minute or two of a checker
 _RATIO = 1.25  # of one end to the next of the cells between X and where the tail theorem begins
 _ROOM = 4  # by how much balls are wider in the file than they are known
 _POWERS = (0, 1, 3)  # of 2: wavenumbers from which on short waves may be bounded
@@ -65,6 +65,10 @@ def chart_certificate(scope: Scope, tree: Tree, bases: Sequence[Base], cells: An
     if max(cells.shape) > _MOST_CELLS:
         raise CertificateError(
             f"a certificate holds charts of up to {_MOST_CELLS} fine cells along each parameter; ask for less depth"
+        )
+    if tree.nodes > _MOST_NODES:
+        raise CertificateError(
+            f"the chart took {tree.nodes} boxes, more than a checker goes through in a minute or two"
         )
     marks = np.array([*_REGIONS, "."])
     rows = ["".join(row) for row in marks[cells]]

@@ -18,8 +18,8 @@ from typing import Any, ClassVar
 import numpy as np
 
 from mpsolve.certificate.solve import certify_problem
-from mpsolve.errors import EffortError, InputError
-from mpsolve.outcome import Reason, Status
+from mpsolve.errors import InputError
+from mpsolve.outcome import Status
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
@@ -30,35 +30,22 @@ from mpsolve.proof.subdivide import Tree, subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, growing, uncounted
 from mpsolve.ranges.arcs import ARC, ArcJudge
 from mpsolve.ranges.boundary import Boundary, boundaries
-from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, inmost, next_to, parts_of
+from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, next_to, parts_of
+from mpsolve.ranges.cells_by_theorem import Decided, decided
 from mpsolve.ranges.certified import Base, chart_certificate
 from mpsolve.ranges.meeting import Meeting, meetings
+from mpsolve.ranges.parts import Part, counted, point_in
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
 from mpsolve.ranges.strips import free_cells, strips_of
+from mpsolve.ranges.undamped import at_corner, left_open
 from mpsolve.ranges.verified import Verified, verified
 
 _BOXES = 1_000_000
 _DEPTH = 7  # halvings of each parameter
 _SMALLER = (9, 4, 4)  # halvings of (q, x, y) beyond those, or beyond _FINE, before a box stays open
 _FINE = 5
-_MOST_PARTS = 60
-_A_NODE = 4  # of the work that the verifier may have with one node: arcs cost more than boxes without roots
 _THIN = 0.25  # of a fine cell: how well curves are to be known where a box is closed
 _FINER_CELLS = 4  # along each parameter: the cells of `detail` in one of `counts`
-
-
-@dataclass(frozen=True)
-class Part:
-    """A connected part of the chart on which no root is real: the number of roots that grow, proved at one point.
-
-    cells: how many of `detail`; point: the exact parameters at which the roots were certified; roots: None where that
-    is open.
-    """
-
-    cells: int
-    point: Mapping[str, Fraction]
-    roots: int | None
-    spectrum: Any = field(repr=False, default=None)
 
 
 @dataclass(frozen=True)
@@ -138,8 +125,11 @@ def _chart(
 ) -> Chart:
     started = process_time()
     budget = begun(effort, _BOXES)
-    scope = scope_of(problem, over)
     edges = [tuple(a + (b - a) * Fraction(k, 2**depth) for k in range(2**depth + 1)) for a, b in over.values()]
+    told = decided(problem, over, edges)
+    if told is not None:
+        return replace(_by_theorem(problem, over, edges, told, check), x=edges[0], y=edges[1])
+    scope = scope_of(problem, over)
     try:
         X = scope.X
     except OpenError as error:
@@ -160,8 +150,8 @@ def _chart(
     curves = boundaries(scope.matrix, np.concatenate([strips.near, rest], 1), scope.corners, units)
     labels = parts_of(free.reshape(2**depth, _FINER_CELLS, 2**depth, _FINER_CELLS).all((1, 3)))
     detail = np.where(free, 0, BOUNDARY)
-    parts, regions, reason = _counted(
-        problem, scope, (edges[0], edges[1]), (labels, finer(labels, free)), detail, budget, progress, check
+    parts, regions, reason = counted(
+        problem, over, (edges[0], edges[1]), (labels, finer(labels, free)), detail, budget, progress, check
     )
     counts = np.where(labels > 0, detail[::_FINER_CELLS, ::_FINER_CELLS], BOUNDARY)
     family = scope.family
@@ -173,84 +163,43 @@ def _chart(
     )
     cost = Spent(process_time() - started - verification, verification, budget.spent)
     proofs = tuple(replace(proof, base=part.spectrum) for part in parts) or (proof,)
-    told: dict[str, Any] = {"proofs": proofs, "cost": cost}
+    more: dict[str, Any] = {"proofs": proofs, "cost": cost}
     if made:
-        told |= {"note": made.note, "certificate": made.certificate}
+        more |= {"note": made.note, "certificate": made.certificate}
     status = made.status if made else Status.UNDECIDED
     lost = (detail == BOUNDARY) & ~next_to(detail.shape, edges, curves)
     whole = all(curve.whole for curve in curves) and not lost.any()
     return Chart(
         problem, over, status, reason, x=edges[0], y=edges[1], counts=counts, parts=parts, boundaries=curves,
-        meetings=meetings(scope, curves), traced=whole, detail=detail, **told,
+        meetings=meetings(scope, curves), traced=whole, detail=detail, **more,
+    )  # fmt: skip
+
+
+def _by_theorem(problem: Problem, over: dict[str, Interval], edges: Any, told: Decided, check: bool) -> Chart:
+    """The chart where theorems tell of cells. Between those without and those with growing roots runs a boundary."""
+    started = process_time()
+    counts = np.where(told.quiet, 0, BOUNDARY if told.alike.any() else OPEN)
+    parts, reason, verification = [], None, 0.0
+    if told.quiet.any():
+        parts.append(Part(int(told.quiet.sum()), point_in(over, edges, told.quiet), 0))
+    if told.alike.any():
+        point = point_in(over, edges, told.alike)
+        found = certify_problem(at_corner(problem, point), region="unstable", digits=15, check=check)
+        roots, verification = growing(found), found.cost.verification
+        counts[told.alike] = OPEN if roots is None else roots
+        parts.append(Part(int(told.alike.sum()), point, roots, found))
+        reason = uncounted(found, "of a region") if roots is None else None
+    if reason is None and (counts == OPEN).any():
+        reason = left_open(problem, over)[0]
+    return Chart(
+        problem, over, Status.UNVERIFIED if reason is None else Status.UNDECIDED, reason, counts=counts,
+        parts=tuple(parts), note=told.note, cost=Spent(process_time() - started - verification, verification),
     )  # fmt: skip
 
 
 def _certified(scope: Scope, tree: Tree, parts: tuple[Part, ...], regions: Any, check: bool) -> Verified:
     bases = [Base(tuple(part.point.values()), part.spectrum) for part in parts]
-    return verified(lambda: chart_certificate(scope, tree, bases, regions), _A_NODE * tree.nodes, check)
-
-
-def _counted(
-    problem: Problem,
-    scope: Scope,
-    edges: Any,
-    labels: tuple[Any, Any],
-    detail: Any,
-    budget: Effort,
-    progress: Progress,
-    check: bool,
-) -> tuple[tuple[Part, ...], Any, Reason | None]:
-    """The parts with their counts, which are written into `detail`, the greatest first; of fine cells the number of
-    the part, −1 where there is none.
-
-    labels: of cells, and of finer ones. Parts that hold no cell whole are pockets between curves.
-    """
-    coarse, fine = labels
-    sizes = np.bincount(fine.ravel())[1:]
-    order = np.argsort(-sizes, kind="stable")
-    regions = np.full(fine.shape, -1)
-    parts: list[Part] = []
-    reason: Reason | None = None
-    for number, k in enumerate(order):
-        where, whole = fine == k + 1, coarse == k + 1
-        if number >= _MOST_PARTS:
-            detail[where] = OPEN
-            reason = reason or (_too_many(len(order)) if whole.any() else None)
-            continue
-        progress("regions", 0.8 + 0.2 * number / len(order))
-        point = _point(scope, edges, whole if whole.any() else where)
-        try:
-            budget.spend(1)
-            found = certify_problem(_at(problem, point), region="unstable", digits=15, check=check)
-        except EffortError as error:
-            reason = reason or error.reason
-            detail[where] = OPEN
-            parts.append(Part(int(sizes[k]), point, None))
-            continue
-        roots = growing(found)
-        detail[where] = OPEN if roots is None else roots
-        regions[where] = len(parts)
-        parts.append(Part(int(sizes[k]), point, roots, found))
-        if roots is None and reason is None:
-            reason = uncounted(found, "of a region")
-    return tuple(parts), regions, reason
-
-
-def _point(scope: Scope, edges: Any, where: Any) -> dict[str, Fraction]:
-    """The middle of a cell far inside."""
-    each = zip(scope.family.paths, edges, inmost(where), where.shape, strict=True)
-    return {path: ends[0] + (ends[-1] - ends[0]) * Fraction(2 * k + 1, 2 * n) for path, ends, k, n in each}
-
-
-def _too_many(parts: int) -> Reason:
-    stated = f"the chart falls into {parts} parts, of which {_MOST_PARTS} are counted"
-    return Reason("parts", stated, {"parts": str(parts)}, "raise the depth, so that small parts come together")
-
-
-def _at(problem: Problem, point: Mapping[str, Fraction]) -> Problem:
-    for path, value in sorted(point.items(), key=lambda one: one[0].startswith("scale.")):
-        problem = problem.changed(path, value)
-    return problem
+    return verified(lambda: chart_certificate(scope, tree, bases, regions), tree.nodes, check)
 
 
 def _cell(low: Fraction, high: Fraction, cells: int, value: object, path: str) -> int:

@@ -27,6 +27,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import product
 from typing import Any
 
 from flint import fmpq_poly
@@ -35,7 +36,7 @@ from mpsolve.errors import InputError
 from mpsolve.numbers.realroots import as_fmpq, end_of, is_positive, negative_point
 from mpsolve.problem.family import Interval
 from mpsolve.problem.problem import Problem
-from mpsolve.ranges.undamped import SPEEDS, cuts_join, no_damping, of_vehicles, passive_at
+from mpsolve.ranges.undamped import SPEEDS, at_corner, cuts_join, no_damping, of_vehicles, passive_at
 
 NOTE = (
     "under one mass that is faster than the waves of an undamped beam no root comes to the real axis: no boxes are "
@@ -62,16 +63,10 @@ def faster(problem: Problem, over: Mapping[str, Interval]) -> Faster | None:
     The range is one that goes beyond the velocity at which the cuts join, by `undamped.never_unstable`.
     """
     ((path, (low, high)),) = over.items()
-    if not no_damping(problem, over) or not (path in SPEEDS or of_vehicles(path)) or not low >= 0:
-        return None
     top = max(2 * low, Fraction(1)) if high is None else high
-    if not all(_one_mass(problem, path, x) for x in (low, top)):
+    if not no_damping(problem, over) or not _of_one_mass(problem, {path: (low, top)}):
         return None
-    beam: Any = problem.track
-    slow, fast = (problem.changed(path, x).v for x in (low, top))
-    if not _convex(beam, fast):
-        return None
-    if _joined(beam, slow):
+    if _joined(problem.track, problem.changed(path, low).v):
         return Faster(None, low, top)
     if path not in SPEEDS or high is None or not passive_at(problem, {path: low}):
         return None
@@ -80,9 +75,26 @@ def faster(problem: Problem, over: Mapping[str, Interval]) -> Faster | None:
     return Faster(joins, above, high) if end_of(joins, -1) > low and above < high else None
 
 
-def _one_mass(problem: Problem, path: str, value: Fraction) -> bool:
+def alike(problem: Problem, over: Mapping[str, Interval]) -> bool:
+    """Whether the theorem tells that the same number of roots grows at all points of the ranges."""
+    if not (no_damping(problem, over) and _of_one_mass(problem, over)):
+        return False
+    slowest = at_corner(problem, {path: low for path, (low, _) in over.items()})
+    return _joined(slowest.track, slowest.v)
+
+
+def _of_one_mass(problem: Problem, over: Mapping[str, Interval]) -> bool:
+    """The premises but for b > 0: one mass throughout, as masses are linear in each parameter."""
+    if not all((path in SPEEDS or of_vehicles(path)) and ends[0] >= 0 for path, ends in over.items()):
+        return False
+    corners = [dict(zip(over, corner, strict=True)) for corner in product(*over.values())]
+    fastest = at_corner(problem, {path: high for path, (_, high) in over.items()})
+    return all(_one_mass(problem, point) for point in corners) and _convex(fastest.track, fastest.v)
+
+
+def _one_mass(problem: Problem, point: Mapping[str, Fraction]) -> bool:
     try:
-        each = [placed.vehicle.pencil for placed in problem.changed(path, value).vehicles]
+        each = [placed.vehicle.pencil for placed in at_corner(problem, point).vehicles]
     except InputError:
         return False
     if len(each) != 1 or each[0].size != 1 or each[0].contacts != 1:

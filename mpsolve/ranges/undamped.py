@@ -45,8 +45,8 @@ def of_vehicles(path: str) -> bool:
 
 
 def at_corner(problem: Problem, point: Mapping[str, Fraction]) -> Problem:
-    """The problem with these values."""
-    for path, value in point.items():
+    """The problem with these values, factors last."""
+    for path, value in sorted(point.items(), key=lambda one: one[0].startswith("scale.")):
         problem = problem.changed(path, value)
     return problem
 

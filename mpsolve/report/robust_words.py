@@ -67,10 +67,14 @@ _MEETINGS = {
 def said_of_chart(found: Chart, asked: Asked) -> Said:
     """The report of a chart."""
     asked = asked.answered(found.over)
-    lines = _chart(found, asked)
-    if found.certificate is not None:
-        lines.append("  The certificate states the number of each cell; curves are proved without certificate.")
+    lines = [*_chart(found, asked), *_what_is_certified(found)]
     return Said("chart", found, asked, _chart_verdict(found), framed(lines, found, asked))
+
+
+def _what_is_certified(found: Chart) -> list[str]:
+    if found.certificate is not None:
+        return ["  The certificate states the number of each cell; curves are proved without certificate."]
+    return [f"  There is no certificate: {found.note}."] if found.proved and found.proofs and found.note else []
 
 
 def _chart_verdict(found: Chart) -> str:
@@ -87,7 +91,8 @@ def _chart(found: Chart, asked: Asked) -> list[str]:
     for part in found.parts:
         where = ", ".join(f"{one.path} = {one.told(part.point[one.path])}" for one in asked.overs)
         count = "open" if part.roots is None else growing(part.roots)
-        lines.append(f"  {count}: {100 * part.cells / total:.3g} % of the chart, certified at {where}")
+        known = "by a theorem" if part.spectrum is None and part.roots is not None else f"certified at {where}"
+        lines.append(f"  {count}: {100 * part.cells / total:.3g} % of the chart, {known}")
     for curve in found.boundaries:
         kind = "a root passes q = 0 (divergence)" if curve.divergence else "a pair of roots crosses the real axis"
         end = "" if curve.whole else "; it could not be followed further"

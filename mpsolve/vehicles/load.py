@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 
 from mpsolve.errors import InputError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.exact import Exact, Number
 
 GRAVITY = Exact.parse("9.80665")  # m/s², the standard acceleration
 _LEAST, _MOST = Fraction(1, 10**150), Fraction(10**150)  # what float64 can square
 
 
-@dataclass(frozen=True, init=False)
+@frozen
 class Load:
     """The force constant + amplitude · sin(frequency · τ + phase) on one mass, in units of the unit force.
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from mpsolve.errors import InputError
+from mpsolve.frozen import frozen
 from mpsolve.numbers.model import rational, shown
 from mpsolve.zeros.geometry import Point, Vertices, distance_squared, doubled_area, edges, is_simple, place_of_box
 
@@ -24,7 +24,7 @@ def exact_point(z: object, key: str) -> Point:
     return rational(z, key), Fraction(0)
 
 
-@dataclass(frozen=True, init=False)
+@frozen
 class Rectangle:
     """The open rectangle re_min < Re < re_max, im_min < Im < im_max; the bounds are exact rationals."""
 
@@ -62,7 +62,7 @@ class Rectangle:
         return f"{a} < Re q < {b}, {c} < Im q < {d}"
 
 
-@dataclass(frozen=True, init=False)
+@frozen
 class Disc:
     """The open disc |z − centre| < radius; centre: a complex number or a pair of exact ones."""
 
@@ -89,7 +89,7 @@ class Disc:
         return f"|z - ({float(self.centre[0]):.6g}{float(self.centre[1]):+.6g}i)| < {float(self.radius):.6g}"
 
 
-@dataclass(frozen=True, init=False)
+@frozen
 class Polygon:
     """The inside of a simple polygon; vertices: complex numbers or pairs of exact ones, in either direction."""
 
@@ -113,7 +113,7 @@ class Polygon:
         )
 
 
-@dataclass(frozen=True, init=False)
+@frozen
 class HalfPlane:
     """A half-plane bounded by a line along an axis; `bound` is the user's word that no zero in it has |z| ≥ bound.
 
@@ -144,7 +144,7 @@ class HalfPlane:
         return f"{part} {sign} {float(self.at):.6g}, |z| < {float(self.bound):.6g}"
 
 
-@dataclass(frozen=True, init=False)
+@frozen
 class Cut:
     """A branch cut of f: a ray, or a segment; the region's points are beside it, on either side.
 

@@ -16,6 +16,7 @@ from flint import acb, arb, fmpq
 
 from mpsolve import Problem, certify, frequencies, tracks, vehicles
 from mpsolve.certificate import verify_ranges as checker
+from mpsolve.certificate.check import verify
 from mpsolve.certificate.format import digest
 from mpsolve.certificate.verify_ranges import Form, Refused, Regions, verify_bytes
 
@@ -27,7 +28,7 @@ PROBLEM = Problem(tracks.EulerBernoulli(EI="1/4", m=1, k=1, c="0.4"), vehicles.M
 
 
 def test_the_committed_chart_holds() -> None:
-    verdict = verify_bytes(FILE.read_bytes())
+    verdict = verify(FILE)
     assert verdict.valid, verdict.reason
     assert "2 regions of a chart of 16 by 16 cells" in verdict.claim
 

@@ -12,8 +12,9 @@ from mpsolve.numbers.balls import arb
 from mpsolve.outcome import Status
 from mpsolve.pictures.proved_chart import borders, drawn, ends, numbers, open_words, places
 from mpsolve.ranges.boundary import Boundary
-from mpsolve.ranges.chart import Chart, Part
+from mpsolve.ranges.chart import Chart
 from mpsolve.ranges.meeting import Meeting
+from mpsolve.ranges.parts import Part
 
 EDGES = tuple(Fraction(k, 4) for k in range(5))
 

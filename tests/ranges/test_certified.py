@@ -1,16 +1,19 @@
 from fractions import Fraction
 
 import numpy as np
+import pytest
 from flint import arb
 from free_cases import BEAM, PAIR
 
 from mpsolve import Problem, crossings
 from mpsolve.certificate.verify_ranges import verify_bytes
+from mpsolve.errors import CertificateError
 from mpsolve.numbers.balls import precision
 from mpsolve.proof.sheared import SLOPED
 from mpsolve.proof.subdivide import Tree
-from mpsolve.ranges.certified import ball_entry, tree_text, with_room
+from mpsolve.ranges.certified import ball_entry, chart_certificate, tree_text, with_room
 from mpsolve.ranges.enclosed import Crossing
+from mpsolve.ranges.scope import checked_over, scope_of
 
 
 def test_trees_are_written_halves_after_their_wholes() -> None:
@@ -20,6 +23,18 @@ def test_trees_are_written_halves_after_their_wholes() -> None:
     low[2, 1:] = -0.75
     axis[0] = SLOPED
     assert tree_text(Tree(low, low, kind, axis, child), Fraction(4)) == "s-3e0;n0pz"
+
+
+def test_charts_that_are_too_large_have_no_certificate() -> None:
+    """Of cells, or of boxes."""
+    problem = Problem(BEAM, PAIR, v="0.9")
+    scope = scope_of(problem, checked_over(problem, {"v": ("0.5", 1), "scale.mass": (1, 2)}))
+    leaf = np.zeros(1, int)
+    tree = Tree(np.zeros((3, 1)), np.ones((3, 1)), leaf + 1, leaf - 1, leaf)
+    many = Tree(tree.low, tree.high, np.ones(20_001, int), leaf - 1, leaf)
+    for one, cells, why in ((tree, np.zeros((1024, 4), int), "512"), (many, np.zeros((4, 4), int), "20001 boxes")):
+        with pytest.raises(CertificateError, match=why):
+            chart_certificate(scope, one, (), cells)
 
 
 def test_balls_in_the_file_are_those_that_are_said() -> None:
