@@ -22,7 +22,6 @@ from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.tracks.waveguide import Polynomial
 
 _NEAR = 2.0**-50
-_I = (1, 1j, -1, -1j)
 _TURNS = ((1, 0), (0, 1), (-1, 0), (0, -1))
 
 
