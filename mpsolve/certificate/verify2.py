@@ -715,23 +715,28 @@ class Form:
         self.known: dict[int, list[Any]] = {}
 
     def sizes(self, order: int) -> list[Any]:
-        """Bounds of the constants, of the linear, of the quadratic parts: order 0, 1, 2."""
+        """Bounds of the constants, of the linear, of the quadratic parts: order 0, 1, 2; of all, and the rest: 3."""
         found = self.known.get(order)
         if found is None:
-            rows = (self.k[:1], self.k[1 : 1 + self.m], self.k[1 + self.m :])[order]
-            found = self.known[order] = sums([[x.abs_upper() for x in row] for row in rows], len(self.e))
+            if order < 3:
+                first, last = (0, 1, 1 + self.m, len(self.k))[order : order + 2]
+                found = sums([[x.abs_upper() for x in row] for row in self.k[first:last]], len(self.e))
+            else:
+                found = sums([self.sizes(0), self.spread], len(self.e)) if self.m else self.sizes(0)
+            self.known[order] = found
         return found
 
     @property
     def spread(self) -> list[Any]:
         """Bounds of what changes."""
-        parts = [self.sizes(1), self.sizes(2), self.e] if self.second else [self.sizes(1), self.e]
-        return sums(parts, len(self.e)) if self.m else self.e
+        if not self.m:
+            return self.e
+        return sums([self.sizes(1), self.sizes(2), self.e] if self.second else [self.sizes(1), self.e], len(self.e))
 
     @property
     def size(self) -> list[Any]:
         """Bounds of all."""
-        return sums([self.sizes(0), self.spread], len(self.e)) if self.m else self.sizes(0)
+        return self.sizes(3)
 
     def __add__(self, other: Form) -> Form:
         k = [[x + y for x, y in zip(a, b, strict=True)] for a, b in zip(self.k, other.k, strict=True)]
@@ -851,27 +856,18 @@ def joined(forms: Sequence[Form]) -> Form:
 
 
 def along(
-    E: Sequence[Form],
-    sizes: Sequence[Sequence[Any]],
-    h: Form,
-    most: Sequence[Any],
-    slope: bool = False,
-    square: Form | None = None,
+    E: Sequence[Form], sizes: Sequence[Sequence[Any]], h: Form, most: Sequence[Any], slope: bool = False
 ) -> Form:
-    """Σ E_i h^i for |h| ≤ most, or its derivative in h. E: as many as a form tells; sizes: bounds of all.
-
-    square: h², where it is known.
-    """
+    """Σ E_i h^i for |h| ≤ most, or its derivative in h. E: as many as a form tells; sizes: bounds of all."""
     n, start = len(h.e), int(slope)
-    last = start + (2 if h.second else 1)
-    total = E[start]
-    for i, power in enumerate((h, square or h * h) if h.second else (h,), start + 1):
-        if i < len(E):
-            term = E[i] * power
-            total = total + (term.scaled([i] * n) if slope else term)
+    last = min(3 if h.second else start + 1, len(E) - 1)
+    factor = range(len(sizes)) if slope else [1] * len(sizes)
+    total = E[last].scaled([factor[last]] * n) if slope else E[last]
+    for i in range(last - 1, start - 1, -1):
+        total = total * h + (E[i].scaled([i] * n) if factor[i] > 1 else E[i])
     rest = [ZERO] * n
     for i in range(len(sizes) - 1, last, -1):
-        rest = [(x + (y * i if slope else y)) * z for x, y, z in zip(rest, sizes[i], most, strict=True)]
+        rest = [(x + y * factor[i]) * z for x, y, z in zip(rest, sizes[i], most, strict=True)]
     return total.rested([x * y ** (last - start) for x, y in zip(rest, most, strict=True)])
 
 
@@ -975,8 +971,10 @@ class Place:
 
     def form(self, table: Any) -> Form:
         """From Taylor's coefficients."""
-        columns = [list(x) for x in zip(*table.tolist(), strict=True)]
-        e = sums([[x.abs_upper() for x in column] for column in columns[self.width :]], table.nrows())
+        return self.of_columns([list(x) for x in zip(*table.tolist(), strict=True)])
+
+    def of_columns(self, columns: Rows) -> Form:
+        e = sums([[x.abs_upper() for x in column] for column in columns[self.width :]], len(columns[0]))
         return Form(columns[: self.width], e, self.m)
 
     def value(self, polynomials: Sums) -> Form:
@@ -1025,22 +1023,14 @@ class Local:
 
     def about(self, z: Sequence[Any], table: Any) -> tuple[list[Form], list[list[Any]]]:
         """Of E_i in Σ f_j (z + h)^j = Σ E_i h^i, for each z: the first ones, and bounds of all from E_2 on."""
-        n, size = len(z), table.nrows()
-        if size == 1:
-            return [self.place.form(table).take([0] * n)], [[]]
-        known = [powers(x, size - 1) for x in z]
-        rows = [[p[d] * c if c else NONE for d, c in row] for row in binomials(size, size) for p in known]
-        few = min(size, self.place.order + 2)
-        f = self.place.form(acb_mat(rows) * table)
-        bounds = f.part(2 * n, size * n).size
-        above = [bounds[i : i + n] for i in range(0, len(bounds), n)]
-        return [f.part(i * n, (i + 1) * n) for i in range(few)], [[], [], *above]
-
-
-@lru_cache(maxsize=64)
-def binomials(size: int, rows: int) -> list[list[tuple[int, int]]]:
-    """(power, factor) of z in the coefficient of h^i in (z + h)^j."""
-    return [[(j - i, comb(j, i)) for j in range(size)] for i in range(rows)]
+        size, width = table.nrows(), table.ncols()
+        rows = table.tolist()
+        steps = [[comb(i + j, i) * x for i in range(size - j) for x in rows[i + j]] for j in range(size)]
+        filled = [[*row, *[NONE] * (width * j)] for j, row in enumerate(steps)]
+        E = (acb_mat([powers(x, size - 1) for x in z]) * acb_mat(filled)).tolist()
+        columns = [list(x) for x in zip(*E, strict=True)]
+        forms = [self.place.of_columns(columns[i * width : (i + 1) * width]) for i in range(size)]
+        return forms[: self.place.order + 2], [[], [], *(f.size for f in forms[2:])]
 
 
 class Waves:
@@ -2208,6 +2198,12 @@ def closing(walker: Walker, mark: Mark) -> Any:
     raise Refused("a pivot may vanish where the path comes to its corner")
 
 
+def whole(number: Any) -> int:
+    n = number.unique_fmpz()
+    require(n is not None, "the change of the argument does not tell the number of roots")
+    return int(n)
+
+
 def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: Any, track: Track) -> int:
     """The number of roots in the region, proved."""
     passive = region.kind in ("unstable", "below")
@@ -2227,9 +2223,7 @@ def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: 
         number = (closed + (b.nb - b.nc - b.vehicle.neutral) * pi / 2 - turned) / pi
     else:
         number = turned / (2 * pi) if region.kind == "rectangle" else -turned / pi
-    n = number.unique_fmpz()
-    require(n is not None, "the change of the argument does not tell the number of roots")
-    return int(n)
+    return whole(number)
 
 
 # --- the whole sheet --------------------------------------------------------------------------------------
@@ -2414,8 +2408,7 @@ def far_waves(d: Sums, r: Any) -> list[Any]:
     for i, (middle, e) in enumerate([*steps, *arcs]):
         center, e = middle.mid(), e.upper() + (middle - middle.mid()).abs_upper()
         here = Local(Place.disc(center, e), d, Sums.of([{(0,): arb(1)}]))
-        z = p_roots(here)
-        split = Nodes([z[nearest(x, z)] for x, _ in before], 2, here).split()
+        split = split_near(here, ([x for x, _ in before], 2))
         radii = [x for side in split.nodes.side for x in (split.isolated(side))]
         now = list(zip(split.nodes.z, radii, strict=True))
         touch = [[not abs(x - y) > d + f for y, f in before] for x, d in now]
@@ -2500,9 +2493,7 @@ def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
     require((end, zero) in marks, "the count does not come to its end")
     b, pi = up.bordered, arb.pi()
     closed = closing(up, marks[end, zero]) + (b.nb - b.nc) * pi / 2
-    n = ((closed - turned) * (1 if damped else 2) / pi).unique_fmpz()
-    require(n is not None, "the change of the argument does not tell the number of roots")
-    return int(n)
+    return whole((closed - turned) * (1 if damped else 2) / pi)
 
 
 def count_beside(sheet: Sheet, region: Region, spent: Walker, content: Any, start: Any) -> int:
@@ -2523,10 +2514,9 @@ def count_beside(sheet: Sheet, region: Region, spent: Walker, content: Any, star
     check_lines(turn.points, [(a, c), (b, c), (b, d), (a, d), (a, c)])
     walker.begin(start)
     walker.path(link)
-    n = (walker.path(turn) / (2 * arb.pi())).unique_fmpz()
+    n = whole(walker.path(turn) / (2 * arb.pi()))
     spent.pieces += walker.pieces
-    require(n is not None, "the change of the argument does not tell the number of roots")
-    return int(n)
+    return n
 
 
 def in_gap(sheet: Sheet, z: Any) -> bool:
@@ -2636,6 +2626,16 @@ def framed(a: Any, right: Rows, low: Rows) -> Rows:
     return rows + [[*row, *[0] * len(low)] for row in low]
 
 
+def require_apart(balls: list[tuple[Point, Any]], why: str) -> None:
+    """No two closed discs (middle, radius) have a point in common."""
+    balls.sort(key=lambda ball: ball[0][0] - ball[1])
+    for k, ((x, y), r) in enumerate(balls):
+        for (u, w), s in balls[k + 1 :]:
+            if u - s > x + r:
+                break
+            require((u - x) ** 2 + (w - y) ** 2 > (r + s) ** 2, why)
+
+
 def check_roots(values: Any, region: Region, track: Track, vehicle: Bodies, walker: Walker) -> list[Root]:
     """The claimed roots: inside the region, apart from each other, each proved."""
     roots = [read_root(value) for value in items(values, MAX_ROOTS, "roots")]
@@ -2652,12 +2652,7 @@ def check_roots(values: Any, region: Region, track: Track, vehicle: Bodies, walk
                 region.kind == "rectangle" or x == 0, f"root {k} is neither one of a pair nor on the imaginary axis"
             )
         balls.append((root.z, root.radius))
-    balls.sort(key=lambda ball: ball[0][0] - ball[1])
-    for k, ((x, y), r) in enumerate(balls):
-        for (u, w), s in balls[k + 1 :]:
-            if u - s > x + r:
-                break
-            require((u - x) ** 2 + (w - y) ** 2 > (r + s) ** 2, "two balls of roots overlap")
+    require_apart(balls, "two balls of roots overlap")
     for k, root in enumerate(roots):
         try:
             check_root(track, vehicle, root, walker)

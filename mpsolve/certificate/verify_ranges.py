@@ -21,6 +21,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from itertools import combinations, pairwise, product
 from math import asinh, comb, sinh
+from operator import mul
 from typing import Any
 
 from flint import acb, acb_mat, acb_poly, arb, arb_mat, arb_poly, fmpq
@@ -49,9 +50,11 @@ LEAF = 400
 MARKS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"  # of the regions of a chart, in order
 MAX_SIDE, TESTS, RENEWED = 512, 8, 16  # cells along each parameter; tests of a form that are one piece of work; when
 BITS = 64
+TERMS = 3  # of a series in the matrix over a box
 TOGETHER = 0.3  # p-roots closer than this share of other distances share a circle
-WIDER, NARROWER = 16, fmpq(1, 1 << 20)  # boxes round the one where p-roots meet
-SIDE, REACH = 20, 12.0  # cells of wavenumber on each side of a wave, and how far they go
+SAMPLES, GROWTH = 32, 7.5  # points of a circle; by which power of e waves from it grow at most
+NARROWER = fmpq(1, 1 << 20)
+SIDE, REACH = 20, 6.0  # cells of wavenumber on each side of a wave, and how far they go
 
 Exponents = tuple[int, ...]
 Free = dict[Exponents, Any]  # {exponents of the parameters: c}
@@ -134,6 +137,7 @@ class Waves(spectra.Waves):
         W = W.compose(P, s - spectra.speed(track.ring, track.velocity) * P, *x, ctx=track.ring)
         turn = [acb(1), acb(0, -1), acb(-1), acb(0, 1)]  # q = −iσ
         self.W = Sums.of([{e: turn[e[0] % 4] * arb(c) for e, c in f.items()} for f in by_power(spectra.terms(W))])
+        self.up: int | None = None  # n₊, once it is proved somewhere: the same in all of the range
 
 
 def place_over(middle: Sequence[Any], half: Sequence[Any]) -> Place:
@@ -229,22 +233,22 @@ def strain(nodes: spectra.Nodes) -> list[float]:
     return out
 
 
-def alone(nodes: spectra.Nodes, throughout: bool) -> tuple[Form, Form] | None:
-    """All p-roots over the box, each alone in a disc that follows it, and N/D_P there; None where that is not proved.
+def alone(nodes: spectra.Nodes, used: Sequence[int], throughout: bool) -> tuple[Form, Form] | None:
+    """These p-roots over the box, each alone in a disc that follows it, and N/D_P there; None if that is not proved.
 
     δ(u): any quadratics near the roots less the nodes, exact. With D(z + δ + h) = Σ c_j h^j there is exactly one root
     in |h| < ε, for all complex |u_i| ≤ 1, where |c_0| + Σ_{j ≥ 2} |c_j| ε^j < |c_1| ε (Rouché), and there |h| is at
     most the left side over |c_1|. throughout: as in `split_over`.
     """
-    local, z = nodes.local, nodes.z
+    local, z = nodes.local, [nodes.z[k] for k in used]
     D, sizes = local.about(z, local.D)
     if any(x.contains(0) for x in D[1].k[0]):
         return None
     delta = followed(D)
-    most, square = delta.size, delta * delta
-    if not nodes_apart(nodes, most):
+    most = delta.size
+    if not nodes_apart(nodes, used, most):
         return None
-    value, slope = (spectra.along(D, sizes, delta, most, way, square) for way in (False, True))
+    value, slope = (spectra.along(D, sizes, delta, most, way) for way in (False, True))
     eps, lost = [], []
     for k, first in enumerate(value.size):
         above_ = arb_poly([0, 0, *(size[k] for size in sizes[2:])])(
@@ -258,16 +262,16 @@ def alone(nodes: spectra.Nodes, throughout: bool) -> tuple[Form, Form] | None:
         lost.append(more.derivative()(found))
     off = [x + y for x, y in zip(most, eps, strict=True)]
     own = off if throughout else [abs(x) + y for x, y in zip(delta.k[0], eps, strict=True)]
-    sided = all((-x.real if k < nodes.up else x.real) > own[k] for k, x in enumerate(nodes.z))
-    if not (sided and nodes_apart(nodes, off)):
+    sided = all((-x.real if k < nodes.up else x.real) > y for k, x, y in zip(used, z, own, strict=True))
+    if not (sided and nodes_apart(nodes, used, off)):
         return None
     h, (N, above) = Form(delta.k, eps, delta.m), local.about(z, local.N)
     return h.plus(z), spectra.along(N, above, h, off) * slope.rested(lost).inverse()
 
 
-def nodes_apart(nodes: spectra.Nodes, off: Sequence[Any]) -> bool:
-    """Whether the discs of radii `off` round the nodes are disjoint."""
-    return all(nodes.distance[i][k] > off[i] + off[k] for i, k in combinations(range(len(off)), 2))
+def nodes_apart(nodes: spectra.Nodes, used: Sequence[int], off: Sequence[Any]) -> bool:
+    """Whether the discs of radii `off` round these nodes are disjoint."""
+    return all(nodes.distance[i][k] > x + y for (i, x), (k, y) in combinations(zip(used, off, strict=True), 2))
 
 
 def followed(D: Sequence[Form]) -> Form:
@@ -297,21 +301,27 @@ def radius_of(base: Any, above: Any) -> Any:
     return None
 
 
-def kernels_over(waves: spectra.Waves, place: Place, throughout: bool) -> Form:
+def kernels_over(waves: Waves, place: Place, throughout: bool) -> Form:
     """G at each distance over the box. throughout: as in `split_over`."""
     nodes = nodes_over(waves, place)
+    sides = [0, 1] if throughout or len(waves.gaps) > 1 else [0]
+    used = [k for side in sides for k in nodes.side[side]]
+    if waves.up is None and not throughout:
+        waves.up = split_over(waves, resized(place, NARROWER), False).nodes.up
     try:
-        # of one place half of the roots are used: to follow all costs more than the boxes that it saves
-        found = alone(nodes, throughout) if len(waves.gaps) > 1 else None
+        found = alone(nodes, used, throughout) if throughout or nodes.up == waves.up else None
         if found is not None:
-            return spectra.summed(waves, place, *found, [list(side) for side in nodes.side])[0]
+            return spectra.summed(waves, place, *found, [[k for k in side if k in used] for side in nodes.side])[0]
     except Refused:
         pass
     return receptances(waves, split_over(waves, place, throughout, nodes))
 
 
-def circles(split: Split, side: int) -> list[tuple[Any, Any, list[int]]]:
-    """(middle, radius, nodes inside) of circles; roots that are close share one. Nothing rests on them."""
+def circles(split: Split, side: int, reach: float) -> list[tuple[Any, list[Any], list[int]]]:
+    """(middle, three radii, nodes inside) of circles; roots that are close share one. Nothing rests on them.
+
+    reach: the greatest distance, over which waves from a circle may grow by so much only.
+    """
     own, z = list(split.nodes.side[side]), [complex(x) for x in split.nodes.z]
     others = [k for k in range(len(z)) if k not in own]
     far = {k: min((abs(z[k] - z[j]) for j in others), default=1e300) for k in own}
@@ -325,84 +335,96 @@ def circles(split: Split, side: int) -> list[tuple[Any, Any, list[int]]]:
         size = max(abs(z[k] - middle) for k in g)
         outer = min([abs(z[k] - middle) for k in range(len(z)) if k not in g] + [4 * (abs(middle) + size)])
         size += len(g) * max(float(split.tight[k]) for k in g)
-        out.append((acb(middle), arb(max(0.4 * outer, (size * outer) ** 0.5)), g))
+        outer = min(outer, max(GROWTH / (reach or 1e-300), 3 * size))
+        radius = max(0.4 * outer, (size * outer) ** 0.5)
+        out.append((acb(middle), [arb(x) for x in (size + 0.05 * (radius - size), radius, 0.85 * outer)], g))
     return out
 
 
-def bounds(split: Split, side: int, N: Form, distances: Form) -> list[Any]:
-    """Bounds of |Σ N e^{Pξ}/D_P| over the p-roots of one side, at each distance: by one circle round each group.
+def on_circle(split: Split, N: Form, distances: Form, middle: Any, radius: Any, inside: Sequence[int]) -> list[Any]:
+    """Bounds of |N e^{Pξ}/D| times the radius on a circle, at each distance; in it are as many zeros of D as nodes.
 
-    On a circle |D| ≥ |lead| Π|P − z_k| · Π(1 − Σ a_k/|P − z_k|) > 0, and as many zeros of D in it as nodes.
+    |D| ≥ |lead| Π|P − z_k| · Π(1 − Σ a_k/|P − z_k|) > 0 there.
     """
-    nodes, out = split.nodes, [ZERO] * len(distances.e)
-    for middle, radius, inside in circles(split, side):
-        gaps = [abs(middle - z) - radius for z in nodes.z]
-        fine = all(gap < 0 if k in inside else gap > 0 for k, gap in enumerate(gaps))
-        low, far = nodes.least, abs(middle) + radius
-        for gap in gaps:
-            low = low * abs(gap)
-        for here in nodes.side:
-            share = 1 - sum((split.tight[k] / abs(gaps[k]) for k in here), ZERO)
-            fine, low = fine and bool(share > 0), low * share
-        if not (fine and low > 0):
-            raise Wide("p-roots come too near to others over a box", strain(nodes))
-        most = sum((x * far**i for i, x in enumerate(N.size)), ZERO) / low * radius
-        for n, (x, change) in enumerate(zip(distances.k[0], distances.spread, strict=True)):
-            out[n] += most * ((middle * x).real + radius * abs(x) + far * change).exp()
-    return out
+    nodes = split.nodes
+    gaps = [abs(middle - z) - radius for z in nodes.z]
+    fine = all(gap < 0 if k in inside else gap > 0 for k, gap in enumerate(gaps))
+    low, far = nodes.least, abs(middle) + radius
+    for gap in gaps:
+        low = low * abs(gap)
+    for here in nodes.side:
+        share = 1 - sum((split.tight[k] / abs(gaps[k]) for k in here), ZERO)
+        fine, low = fine and bool(share > 0), low * share
+    require(fine and low > 0, "p-roots come too near to others over a box")
+    most = sum((x * far**i for i, x in enumerate(N.size)), ZERO) / low * radius
+    moved = zip(distances.k[0], distances.spread, strict=True)
+    return [most * ((middle * x).real + radius * abs(x) + far * change).exp() for x, change in moved]
 
 
 def receptances(waves: spectra.Waves, split: Split) -> Form:
-    """G at each distance over the box: from its p-roots, each alone, or where some of one side meet."""
+    """G at each distance over the box, by the trapezoidal rule on circles; p-roots of one side may meet."""
+    local, order, parts = split.nodes.local, [], []
+    N, xi = local.place.form(local.N), local.place.value(waves.xi)
     try:
-        for side in split.nodes.side:
-            split.isolated(side)
-    except Refused as error:
-        reach = split.nodes.inverse * arb_mat(len(split.tight), 1, split.tight)
-        if any(y > 0.5 / WIDER for y in reach.entries()):  # it would not split over the wider box
-            raise Wide(str(error), strain(split.nodes)) from None
-        return beside_meeting(waves, split)
-    try:
-        return spectra.kernels(waves, split)[0]
+        for side in (0, 1):
+            mine = [g for g, ahead in enumerate(waves.ahead) if ahead == (side == 0)]
+            distances, total = xi.take(mine), local.place.number(0).take([0] * len(mine))
+            reach = max((float(x) for x in distances.size), default=0.0)
+            for middle, radii, inside in circles(split, side, reach) if mine else ():
+                part = on_points(waves, local, mine, distances, middle, radii[1], 1 - 2 * side)
+                for other in (radii[0], radii[2]):
+                    seen = on_circle(split, N, distances, middle, other, inside)
+                    ratio = (other / radii[1] if other is radii[0] else radii[1] / other) ** SAMPLES
+                    require(ratio < 1, "circles are not in order")
+                    part = part.rested([x * ratio / (1 - ratio) for x in seen])
+                total = total + part
+            order, parts = order + mine, [*parts, total]
     except Refused as error:
         raise Wide(str(error), strain(split.nodes)) from None
+    return spectra.joined(parts).take([order.index(g) for g in range(len(order))])
 
 
-def beside_meeting(waves: spectra.Waves, split: Split) -> Form:
-    """G where p-roots of one side may meet: its Taylor polynomial from a much smaller box, the rest by a bound of |G|
-    over a wider one. It is analytic there, with or without the range: |g_k| ≤ M/w^k for its terms of order k."""
-    place = split.nodes.local.place
-    small, wide = (split_over(waves, resized(place, factor), False) for factor in (NARROWER, WIDER))
-    local = wide.nodes.local
-    N, gaps = local.place.form(local.N), local.place.value(waves.xi)
-    most = [bounds(wide, side, N, gaps) for side in (0, 1)]
-    G = spectra.kernels(waves, small)[0]
-    lost = [spectra.box(e) for e in G.e]  # in the coefficients themselves, by Cauchy
-    order = [0, *[1] * G.m, *[2] * len(G.second)]
-    k = [[(y + e) / NARROWER**i for y, e in zip(row, lost, strict=True)] for i, row in zip(order, G.k, strict=True)]
-    e = [most[0 if ahead else 1][n] / (WIDER**2 * (WIDER - 1)) for n, ahead in enumerate(waves.ahead)]
-    return Form(k, e, G.m)
+def on_points(
+    waves: spectra.Waves,
+    local: spectra.Local,
+    gaps: Sequence[int],
+    distances: Form,
+    middle: Any,
+    radius: Any,
+    sign: int,
+) -> Form:
+    """± the mean of N e^{Pξ}/D times P − middle over points of a circle, at each distance."""
+    arms = [radius * acb(fmpq(2 * k, SAMPLES)).exp_pi_i() for k in range(SAMPLES)]
+    points = [middle + x for x in arms]
+    D, N = (local.place.form(acb_mat([spectra.powers(p, t.nrows() - 1) for p in points]) * t)
+            for t in (local.D, local.N))  # fmt: skip
+    f = (N * D.inverse()).scaled([x * fmpq(sign, SAMPLES) for x in arms])
+    if waves.fixed:
+        wave = acb_mat([[(p * waves.distances[g]).exp() for g in gaps] for p in points])
+        k = [(acb_mat([row]) * wave).entries() for row in f.k]
+        return Form(k, (arb_mat([f.e]) * spectra.moduli(wave)).entries(), f.m)
+    n = len(gaps)
+    phase = distances.take([*range(n)] * SAMPLES).scaled([p for p in points for _ in gaps])
+    return spectra.folded(phase.exp() * f.take([k for k in range(SAMPLES) for _ in gaps]), n)
 
 
 # --- the characteristic matrix over a box -----------------------------------------------------------------
 
 
-def cleared(A: Any) -> tuple[Any, Any]:
-    """X, Y with XAY = diag(1, …, 1, s) to the present precision, s about the least singular value. Nothing rests on
-    them."""
-    (columns, rows), (tall, wide), n = spectra.frame(A, 1), spectra.units(A), A.nrows() - 1
-    before = [0j] * (n + 1)
-    for _ in range(8):  # towards singular vectors
-        R = spectra.near_inverse(acb_mat(spectra.framed(A, columns, rows)))
-        one = reflection([complex(R[n + 1, i]).conjugate() * t for i, t in enumerate(tall)])
-        two = reflection([complex(R[j, n + 1]) * w for j, w in enumerate(wide)])
-        columns = [[row[n] * t] for row, t in zip(one, tall, strict=True)]
-        rows = [[row[n].conjugate() * w for row, w in zip(two, wide, strict=True)]]
-        if abs(sum(x.conjugate() * row[n] for x, row in zip(before, two, strict=True))) > 0.98:
-            break
-        before = [row[n] for row in two]
-    left = acb_mat([[x / t for x, t in zip(row, tall, strict=True)] for row in one])
-    right = acb_mat([[x / w for x in row] for row, w in zip(two, wide, strict=True)])
+def cleared(A: Any, units: Sequence[Sequence[float]]) -> tuple[Any, Any]:
+    """X, Y with XAY = diag(1, …, 1, s) to the present precision, s about the least singular value in these units of
+    rows and columns. Nothing rests on them."""
+    (tall, wide), n = units, A.nrows() - 1
+    a = acb_mat([[complex(x) / t / w for x, w in zip(row, wide, strict=True)]
+                 for row, t in zip(A.tolist(), tall, strict=True)])  # fmt: skip
+    inverse = spectra.near_inverse(a + spectra.identity(n + 1) * acb(2.0**-50)).tolist()
+    forth = [[complex(x) for x in row] for row in inverse]
+    back, one = [[x.conjugate() for x in column] for column in zip(*forth, strict=True)], [1 + 0j] * (n + 1)
+    for _ in range(3):
+        two = [sum(map(mul, row, one)) for row in forth]
+        one = [sum(map(mul, row, two)) for row in back]
+    left = acb_mat([[x / t for x, t in zip(row, tall, strict=True)] for row in reflection(one)])
+    right = acb_mat([[x / w for x in row] for row, w in zip(reflection(two), wide, strict=True)])
     B = (left * A * right).mid().tolist()
     inverse = spectra.near_inverse(acb_mat([row[:n] for row in B[:n]]))
     low, side = -acb_mat([B[n][:n]]) * inverse, -inverse * acb_mat([row[n:] for row in B[:n]])
@@ -420,19 +442,18 @@ def reflection(v: list[complex]) -> list[list[complex]]:
     return [[(i == j) - x * y.conjugate() / whole for j, y in enumerate(u)] for i, x in enumerate(u)]
 
 
-def scalar(matrix: spectra.Forms, m: int) -> Form:
+def scalar(matrix: spectra.Forms, m: int, units: Sequence[Sequence[float]]) -> Form:
     """s with det A = 0 exactly where s = 0: XAY = [[1 + E, e], [f, g]], s = g − f(1 + E)⁻¹e."""
     A, lost = matrix
     n, last = lost.nrows(), lost.nrows() - 1
     if n == 1:
         return Form([[a[0, 0]] for a in A], [lost[0, 0]], m)
-    left, right = cleared(A[0])
+    left, right = cleared(A[0], units)
     parts = [left * a * right for a in A]
     rest = spectra.moduli(left) * lost * spectra.moduli(right)
-    E = arb_mat(last, last, [
-        sum((abs(a[i, j]) for a in parts[1:]), abs(parts[0][i, j] - (1 if i == j else 0)) + rest[i, j])
-        for i, j in product(range(last), repeat=2)
-    ])  # fmt: skip
+    near = spectra.moduli(parts[0] - spectra.identity(n)) + rest
+    sizes = sum(map(spectra.moduli, parts[1:]), near).tolist()
+    E = arb_mat([row[:last] for row in sizes[:last]])
     x, eta = spectra.near_weights(E, 0.05)
     if not eta < 0.9:
         moved = [float(max(sum((abs(y) for y in row), ZERO) for row in a.tolist())) for a in parts[1 : 1 + m]]
@@ -443,9 +464,12 @@ def scalar(matrix: spectra.Forms, m: int) -> Form:
 
     column, row = picked([(i, last) for i in range(last)]), picked([(last, i) for i in range(last)])
     s = picked([(last, last)]) + -spectra.folded(row * column, 1)
-    size_row = sum((f * y for f, y in zip(row.size, x, strict=True)), ZERO)
-    size_column = spectra.max_bound(*(f / y for f, y in zip(column.size, x, strict=True)))
-    return s.rested([size_row * size_column * eta / (1 - eta)])
+    e, total = arb_mat(last, 1, column.size), arb_mat(last, 1)
+    for _ in range(TERMS):
+        e = E * e
+        total += e
+    beyond = spectra.max_bound(*(f / y for f, y in zip(e.entries(), x, strict=True))) * eta / (1 - eta)
+    return s.rested((arb_mat(1, last, row.size) * (total + arb_mat(last, 1, x) * beyond)).entries())
 
 
 def check_nonzero(s: Form) -> None:
@@ -616,11 +640,8 @@ def at_cell(part: tuple[Any, ...], unit: Any, middle: Any, half: Any, far: Any) 
 def bend(x: Any) -> Any:
     """(sin x − x cos x)/x², odd; for small x by its series, whose terms alternate and fall."""
     if abs(x) < 1:
-        square, term, total_ = x * x, x / 3, ZERO
-        for k in range(1, 14):
-            total_ += term
-            term = -term * square / (2 * k * (2 * k + 3))
-        return total_ + arb(0, abs(term).upper())
+        square = x * x
+        return x / 3 * (1 - square / 10 * (1 - square / 28 * (1 - square / 54 + arb(0, 0.0003) * square * square)))
     sin, cos = x.sin_cos()
     return (sin - x * cos) / (x * x)
 
@@ -637,11 +658,11 @@ def check_passive_box(problem: Family, box: Box) -> None:
 def by_roots(problem: Family, place: Place) -> None:
     """From G over the box."""
     G = kernels_over(problem.waves, place, False)
-    require_definite(*spectra.hermitian(G, problem.waves.between, [acb(0, 1)] * len(G.k)))
+    require_definite(spectra.definite(*spectra.hermitian(G, problem.waves.between, [acb(0, 1)] * len(G.k))))
 
 
-def require_definite(H: Sequence[Any], E: Any) -> None:
-    if not spectra.definite(H, E):
+def require_definite(seen: bool) -> None:
+    if not seen:
         raise Wide("the receptance is not proved passive on a box")
 
 
@@ -682,6 +703,7 @@ def by_cells(problem: Family, box: Box, place: Place) -> None:
     if best is None:
         raise Wide("what short waves give is not bounded over a box")
     try:
+        require_definite(best > 0)
         definite(problem, place, found[:chosen], givens[chosen])
     except Wide as error:
         error.weights = [abs(x) for x in off]
@@ -714,28 +736,28 @@ def definite(problem: Family, place: Place, found: Sequence[Cell], given: Any) -
         for v, x in enumerate(values):
             H[v][j][i], H[v][i][j] = x, x.conjugate()
         E[i][j] = E[j][i] = rest
-    require_definite([acb_mat(a) for a in H], arb_mat(E))
+    require_definite(spectra.definite([acb_mat(a) for a in H], arb_mat(E)))
 
 
 def integrals(distance: Form, found: Sequence[Cell], m: int) -> tuple[list[Any], Any]:
     """∫Φ e^{ipΔ}dp: its middle and slopes, and a bound of what a Δ that moves with the parameters changes."""
     D, moves, second = distance.k[0][0].real, distance.spread[0], distance.sizes(2)[0] + distance.e[0]
     steps = [x[0].real for x in distance.k[1 : 1 + m]]
-    out, rest = [NONE] * (1 + m), ZERO
-    for c in found:
-        x, twice = c.half * D, 2 * c.half
-        phase = acb(0, c.middle * D).exp() * twice
-        cell = phase * x.sinc()
-        out[0] += cell * c.a + phase * acb(0, bend(x) * c.turn)
-        for v in range(m):
-            out[1 + v] += cell * c.b[v]
-        if not moves.is_zero():  # e^{ipδ} = 1 + ipδ + R, |R| ≤ (pδ)²/2
+    width, moving = [2 * c.half for c in found], not moves.is_zero()
+    phase = [acb(0, c.middle * D).exp() * w for c, w in zip(found, width, strict=True)]
+    plain = [y * (c.half * D).sinc() for c, y in zip(found, phase, strict=True)]
+    turned = [y * acb(0, bend(c.half * D)) for c, y in zip(found, phase, strict=True)]
+    table = acb_mat([[acb(x) for x in (c.a, *c.b, c.a * c.middle if moving else 0)] for c in found])
+    *out, bent = (acb_mat([plain]) * table).entries()
+    out[0] += (acb_mat([turned]) * acb_mat([[acb(c.turn)] for c in found]))[0, 0]
+    rest = ZERO
+    if moving:  # e^{ipδ} = 1 + ipδ + R, |R| ≤ (pδ)²/2
+        out[1:] = [x + bent * acb(0, step) for x, step in zip(out[1:], steps, strict=True)]
+        for c, w in zip(found, width, strict=True):
             far, a = abs(c.middle) + c.half, abs(c.a)
             slope = abs(c.turn) + sum((abs(y) for y in c.b), ZERO)
-            for v in range(m):
-                out[1 + v] += cell * acb(0, steps[v] * c.a * c.middle)
-            rest += twice * moves * (a * c.half + slope * far)
-            rest += twice * ((a + slope) * (far * moves) ** 2 / 2 + a * far * second)
+            rest += w * moves * (a * c.half + slope * far)
+            rest += w * ((a + slope) * (far * moves) ** 2 / 2 + a * far * second)
     return out, rest
 
 
@@ -783,7 +805,10 @@ class Family:
 
     def scalar(self, place: Place, throughout: bool = False) -> Form:
         """s over a box: 0 exactly where Δ̂ is. throughout: also outside the ranges."""
-        return scalar(self.matrix(place, kernels_over(self.waves, place, throughout)), place.m)
+        G, b = kernels_over(self.waves, place, throughout), self.matrix
+        g = max(float(abs(x)) for x in G.k[0])  # the rail gives so much: what of forces is one of displacement
+        units = [1 / g] * b.nb + [1.0] * (b.size - b.nb), [1.0] * (b.size - b.nc) + [g] * b.nc
+        return scalar(b(place, G), place.m, units)
 
     def nonzero(self, place: Place) -> None:
         """Δ̂ ≠ 0 over a box, or Wide."""

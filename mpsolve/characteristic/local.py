@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
-from mpsolve.characteristic.discs import split, told_apart
+from mpsolve.characteristic.discs import split
+from mpsolve.characteristic.residues import told_apart
 from mpsolve.characteristic.table import Table
 from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import UP, Jet, U

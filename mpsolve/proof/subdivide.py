@@ -18,7 +18,7 @@ from mpsolve.proof.effort import Effort
 from mpsolve.proof.sheared import SLOPED, sheared
 
 BATCH = 2048
-_FEW = 48  # boxes: so many take as long as one, so that fewer are halved without being judged
+FEW = 48  # boxes: so many take as long as one, so that fewer are halved without being judged
 OPEN = 0
 """Of a box that is not decided."""
 Judge = Callable[[Any, Any], tuple[Any, ...]]
@@ -72,10 +72,12 @@ def subdivide(
     effort: Effort,
     smallest: Any = 2.0**-24,
     tell: Callable[[float], None] | None = None,
+    few: int = FEW,
 ) -> Covered:
     """Boxes smaller than `smallest` of the whole along every variable stay open. Never raises for spent effort.
 
-    smallest: one share of the whole, or one for each variable.
+    smallest: one share of the whole, or one for each variable. few: boxes that are judged at once at least, if they
+    are not too small: with fewer the tree has fewer leaves, but takes longer to find.
     """
     smallest = np.broadcast_to(np.asarray(smallest, float), np.shape(low))[:, None]
     lows, highs = [np.asarray(low, float)[:, None]], [np.asarray(high, float)[:, None]]
@@ -92,7 +94,7 @@ def subdivide(
 
     while waiting:
         numbers, a, b = _taken(waiting)
-        while len(numbers) <= _FEW // 2 and _wide(a, b, whole, smallest).all():
+        while len(numbers) <= few // 2 and _wide(a, b, whole, smallest).all():
             numbers, a, b = halve(numbers, a, b, _longest(a, b, whole, smallest))
         try:
             effort.spend(len(numbers))

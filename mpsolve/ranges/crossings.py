@@ -136,7 +136,7 @@ def _within(
     search = Search(scope, digits)
     q_unit, unit = float(scope.family.frequency_unit), float(scope.family.units[0])
     search.enclose_near([(q / q_unit, x / unit) for q, x in near])
-    cover = search.cover(budget, progress)
+    cover = search.cover(budget, progress, check)
     family = scope.family
     proof = Proof(over, family.units, family.frequency_unit, X, cover, tuple(search.judge.known))
     reason, inside = cover.reason, []

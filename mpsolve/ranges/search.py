@@ -12,7 +12,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
-from mpsolve.proof.subdivide import Covered, subdivide
+from mpsolve.proof.subdivide import FEW, Covered, subdivide
 from mpsolve.ranges.edge import REAL_AXIS, Edge
 from mpsolve.ranges.enclosed import Crossing as Scaled
 from mpsolve.ranges.enclosed import enclose
@@ -23,6 +23,7 @@ from mpsolve.ranges.scope import Scope
 _HINT = 2.0**-13  # of half of the whole: how near a zero is to where it is expected
 _TINY = 2.0**-20  # the same, of boxes that show a zero for which pains are taken
 _NEXT_TO_ZERO = 2.0**-8  # of half an edge
+_FEW = 24  # boxes judged at once where a verifier follows, which takes longer for a leaf than they for a box
 _SMALLEST = 2.0**-40  # of the whole: heavy masses have crossings at frequencies so low that rooms are this small
 
 
@@ -44,11 +45,11 @@ class Search:
         self.found: list[Scaled] = []
         self._failed: list[Any] = []
 
-    def cover(self, budget: Effort, progress: Progress) -> Covered:
-        """Of all between the corners."""
+    def cover(self, budget: Effort, progress: Progress, check: bool = False) -> Covered:
+        """Of all between the corners. check: a verifier will work through the leaves, so fewer are worth more."""
         tell = lambda share: progress("boxes", 0.9 * share)  # noqa: E731
         low, high = (np.append(end, 0.0) for end in (self.low, self.high))
-        return subdivide(low, high, self.judge, budget, _SMALLEST, tell)
+        return subdivide(low, high, self.judge, budget, _SMALLEST, tell, _FEW if check else FEW)
 
     def enclose_near(self, points: Sequence[tuple[float, float]]) -> None:
         """Enclose the zeros near points (y, x̂), where they are."""
