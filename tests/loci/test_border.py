@@ -77,4 +77,6 @@ def test_a_root_that_comes_in_at_the_side_is_met() -> None:
         for v in ("0.8", "0.9")
     ]
     assert inside == [0, 1]
+    (cover,) = found.covers
+    assert not cover.tree.low[-1].any()  # nothing along a slope, which would reach above the region
     assert 0.8 < float(one.x.mid()) * float(scope.family.units[0]) < 0.9
