@@ -367,9 +367,7 @@ def on_circle(split: Split, N: Form, distances: Form, middle: Any, radius: Any, 
 
 def receptances(waves: spectra.Waves, split: Split) -> Form:
     """G at each distance over the box, by the trapezoidal rule on circles; p-roots of one side may meet."""
-    local = split.nodes.local
-    order: list[int] = []
-    parts: list[Form] = []
+    local, order, parts = split.nodes.local, list[int](), list[Form]()
     N, xi = local.place.form(local.N), local.place.value(waves.xi)
     try:
         for side in (0, 1):
@@ -653,16 +651,19 @@ def bend(x: Any) -> Any:
 
 
 def check_passive_box(problem: Family, box: Box) -> None:
-    """−Im G(q; θ) is positive definite for all q > 0 and θ of the box, or Wide: by p-roots, or by cells."""
+    """−Im G(q; θ) is positive definite for all q > 0 and θ of the box, or Wide: by cells, or by p-roots."""
     place = place_of(box)
     try:
-        by_roots(problem, place)
-    except Refused:
         by_cells(problem, box, place)
+    except Wide as error:
+        try:
+            by_roots(problem, place)
+        except Refused:
+            raise error from None
 
 
 def by_roots(problem: Family, place: Place) -> None:
-    """From G over the box."""
+    """−Im G(q; θ) is positive definite for all q > 0 and θ of the box, from G over it, or Wide."""
     G = kernels_over(problem.waves, place, False)
     require_definite(spectra.definite(*spectra.hermitian(G, problem.waves.between, [acb(0, 1)] * len(G.k))))
 
@@ -673,7 +674,7 @@ def require_definite(seen: bool) -> None:
 
 
 def by_cells(problem: Family, box: Box, place: Place) -> None:
-    """From cells of wavenumber (section 6.5)."""
+    """The same from cells of wavenumber (section 6.5)."""
     low, high = box[0]
     waves, m = problem.waves, len(box)
     speed, D = place.value(problem.speed), waves.near(place).D
@@ -821,7 +822,7 @@ class Family:
         check_nonzero(self.scalar(place))
 
     def prove(self, kind: str, box: Box, slope: Any = 0) -> None:
-        """No real root over the box ("n": Δ̂ ≠ 0; "p": passive), which is halved where the forms are too wide."""
+        """No real root over the box ("n": Δ̂ ≠ 0; passive by "g": G, "p": cells), halved where forms are too wide."""
         stack, most = [(box, 0)], min(self.left, self.pieces + self.one)
         while stack:
             here, depth = stack.pop()
@@ -830,6 +831,8 @@ class Family:
             try:
                 if kind == "n":
                     self.nonzero(place_of(here, slope))
+                elif kind == "g":
+                    by_roots(self, place_of(here))
                 else:
                     check_passive_box(self, here)
             except Refused as error:
@@ -859,7 +862,7 @@ def walk(tree: Any, box: Box) -> Iterator[tuple[str, Box, Any]]:
         require(stack, "the tree goes on beyond its last leaf")
         here, slope, depth = stack.pop()
         m, e, letter = mark.groups()
-        if letter and letter in "npzob":
+        if letter and letter in "npgzob":
             yield letter, here, slope
             continue
         known = letter is None or letter in "0123456"[: len(box)]

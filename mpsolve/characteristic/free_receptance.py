@@ -12,7 +12,7 @@ from mpsolve.characteristic.boxes import Boxes, FreeTrack, Wave
 from mpsolve.characteristic.circles import by_circles
 from mpsolve.characteristic.free_roots import Roots, roots_over
 from mpsolve.numbers.forms import Forms
-from mpsolve.numbers.jets import TINY
+from mpsolve.numbers.jets import TINY, UP
 from mpsolve.numbers.quadratic import Quadratic
 from mpsolve.problem.family import Family
 
@@ -33,6 +33,14 @@ class Receptances:
     G: Quadratic
     good: Any
     strain: Any
+
+    @property
+    def absorbed(self) -> tuple[Any, Any]:
+        """(coefficients of −Im Ĝ along the variables, a bound of what they leave out), see `positive_definite`."""
+        with np.errstate(all="ignore"):
+            H = (self.G.k - np.swapaxes(self.G.k.conj(), 2, 3)) * 0.5j
+            E = (self.G.e + np.swapaxes(self.G.e, 1, 2)) / 2 * UP
+            return np.swapaxes(H, 0, 1), E
 
     def take(self, rows: Any) -> Receptances:
         """Those of some boxes."""

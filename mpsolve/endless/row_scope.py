@@ -15,7 +15,6 @@ from mpsolve.endless.boxes import ROUND
 from mpsolve.endless.free_row import WIDE, RowMatrix
 from mpsolve.endless.row import Row
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.jets import UP
 from mpsolve.numbers.quadratic import by_variable
 from mpsolve.passivity.decay import edges, vanishes
 from mpsolve.passivity.far import far
@@ -96,7 +95,7 @@ class RowJudge:
     def __call__(self, low: Any, high: Any) -> tuple[Any, Any]:
         boxes = boxes_of(low, high)
         G = self.matrix.receptance(boxes)
-        H, E = absorbed(G)
+        H, E = G.absorbed
         kind = np.where(G.good & (low[0] > 0) & positive_definite(H, E), PASSIVE, 0).astype(np.int8)
         axis = np.zeros(len(kind), np.int8)
         rest = np.flatnonzero(kind == 0)
@@ -128,14 +127,6 @@ class RowJudge:
             width = boxes.r / self.width[:, None]
             share = weight / weight.max(0) + width * 1e-9
             return np.where(np.isfinite(share), share, width).argmax(0).astype(np.int8)
-
-
-def absorbed(G: Receptances) -> tuple[Any, Any]:
-    """(the coefficients of −Im Ĝ along the variables, a bound of what they leave out), see `positive_definite`."""
-    with np.errstate(all="ignore"):
-        H = (G.G.k - np.swapaxes(G.G.k.conj(), 2, 3)) * 0.5j
-        E = (G.G.e + np.swapaxes(G.G.e, 1, 2)) / 2 * UP
-    return np.swapaxes(H, 0, 1), E
 
 
 def judge_of(scope: RowScope) -> RowJudge:

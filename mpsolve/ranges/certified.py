@@ -25,10 +25,10 @@ from mpsolve.proof.sheared import SLOPED
 from mpsolve.proof.subdivide import OPEN, Tree
 from mpsolve.ranges.arcs import ARC
 from mpsolve.ranges.enclosed import Crossing
-from mpsolve.ranges.judge import KNOWN, NONZERO, OUTSIDE, PASSIVE
+from mpsolve.ranges.judge import ABSORBING, KNOWN, NONZERO, OUTSIDE, PASSIVE
 from mpsolve.ranges.scope import Scope
 
-_MARKS = {NONZERO: "n", PASSIVE: "p", KNOWN: "z", ARC: "o", OPEN: "o", OUTSIDE: "b"}
+_MARKS = {NONZERO: "n", PASSIVE: "p", ABSORBING: "g", KNOWN: "z", ARC: "o", OPEN: "o", OUTSIDE: "b"}
 _REGIONS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
 _MOST_CELLS, _MOST_NODES = 512, 20_000  # of a chart: along each parameter; of the tree, a minute or two of a checker
 _RATIO = 1.25  # of one end to the next of the cells between X and where the tail theorem begins

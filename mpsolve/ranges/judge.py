@@ -1,7 +1,8 @@
 """What is proved of a box of (q, parameters): no root is real there, or one at most, which is known.
 
 Kinds of leaves: the determinant does not vanish; the contacts are passive, so that no passive vehicle has a real
-root; the box lies where the only real root has been enclosed, or outside of what is asked.
+root, as cells of wavenumber tell or the receptance itself, which takes a verifier least; the box lies where the
+only real root has been enclosed, or outside of what is asked.
 """
 
 from __future__ import annotations
@@ -19,10 +20,11 @@ from mpsolve.characteristic.free_receptance import Receptances
 from mpsolve.numbers.jets import UP
 from mpsolve.passivity.blocks import passive_on
 from mpsolve.passivity.envelope import Envelope
+from mpsolve.proof.definite import positive_definite
 from mpsolve.proof.sheared import upright
 from mpsolve.proof.vanishing import Scalar, Verdict, guess, nonzero, one_at_most, scalar
 
-NONZERO, PASSIVE, KNOWN, OUTSIDE = 1, 2, 3, 4
+NONZERO, PASSIVE, KNOWN, OUTSIDE, ABSORBING = 1, 2, 3, 4, 6
 _SHARES = 2.0 ** -np.arange(0.0, 21.0, 1.5)  # of the size of a box round a zero that are tried, side by side
 _SMALL = 2.0**-6  # of the whole: boxes in which zeros are looked for in any case
 _TRIED = 8  # of a batch
@@ -80,6 +82,8 @@ class Judge:
         A, G = self.matrix(boxes)
         s = scalar(A, G.good)
         verdict = nonzero(s.s)
+        rest = np.flatnonzero((kind == 0) & self._may_be_passive(boxes, low) & G.good & _seems_passive(G))
+        kind[rest[positive_definite(*G.take(rest).absorbed)]] = ABSORBING
         kind[(kind == 0) & s.good & verdict.nonzero] = NONZERO
         if self.envelope is not None:
             kind[self._passive(self.envelope, boxes, G, low, high, kind)] = PASSIVE
@@ -93,9 +97,13 @@ class Judge:
         slope = low[m] if len(low) > m else None
         return boxes_of(low[:m], high[:m], self.origin, self.way, slope)
 
-    def _passive(self, envelope: Envelope, boxes: Boxes, G: Receptances, low: Any, high: Any, kind: Any) -> Any:
+    def _may_be_passive(self, boxes: Boxes, low: Any) -> Any:
+        """Passivity is told of upright boxes on the real axis with q > 0, and where it is asked about."""
         upright_ = True if boxes.slope is None else boxes.slope == 0
-        rest = np.flatnonzero((kind == 0) & (low[0] > 0) & upright_)
+        return (low[0] > 0) & upright_ & (self.envelope is not None)
+
+    def _passive(self, envelope: Envelope, boxes: Boxes, G: Receptances, low: Any, high: Any, kind: Any) -> Any:
+        rest = np.flatnonzero((kind == 0) & self._may_be_passive(boxes, low))
         if len(rest):
             seems, unknown = _seems_passive(G)[rest], ~G.good[rest]
             if unknown.any():
