@@ -1186,7 +1186,7 @@ def p_roots(local: Local) -> list[Any]:
     D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
     size = abs(D[0] / D[local.degree]) ** arb(fmpq(1, local.degree))
     try:
-        found = D.roots(tol=size * arb(2) ** (-flint.ctx.prec // 2), maxprec=4 * flint.ctx.prec + 1000)
+        found = D.roots(tol=size * arb(2) ** (-flint.ctx.prec // 2), maxprec=2 * flint.ctx.prec + 1000)
     except ValueError:
         raise Refused("p-roots meet in the middle of a piece") from None
     return [x.mid() for x in found]
@@ -2423,22 +2423,21 @@ def far_waves(d: Sums, r: Any) -> list[Any]:
             continue
         waves, weight = residues(here, split.nodes.z, radii)
         weight = weight.scaled([acb(1), acb(1), acb(-1), acb(-1)])
-        ahead, near, other, behind = (weight.take([j]) for j in range(4))
-        pairs_, quarter = ((ahead, behind, corner[3]), (near, other, corner[2])), arb(fmpq(1, 8)).sqrt()
+        one, two, turn = weight.take([0, 1]), weight.take([3, 2]), (corner[3], corner[2])  # U: a, e; L: c, f
         found = [
-            max_bound(*(departs(x + y, quarter) for x, y in ((ahead, near), (behind, other)))),
-            16 * max_bound(*(departs(x * y, u * u / 16) for x, y, u in pairs_)),
-            4 * max_bound(*(departs(x + y, u / 2) for x, y, u in pairs_)),
-            max_bound(*(departs(waves.take([j]), z) for j, z in enumerate(corner))),
+            departs(weight.take([0, 3]) + weight.take([1, 2]), [arb(fmpq(1, 8)).sqrt()] * 2),
+            16 * departs(one * two, [u * u / 16 for u in turn]),
+            4 * departs(one + two, [u / 2 for u in turn]),
+            departs(waves, corner),
             max_bound(*weight.size),
         ]
         bounds = [max_bound(x, y) for x, y in zip(bounds, found, strict=True)]
     return bounds
 
 
-def departs(f: Form, value: Any) -> Any:
-    """A bound of |f − value| over the place."""
-    return f.plus([-value]).size[0]
+def departs(f: Form, values: Sequence[Any]) -> Any:
+    """A bound of |f − value| over the place, for all of the row."""
+    return max_bound(*f.plus([-x for x in values]).size)
 
 
 def max_bound(*values: Any) -> Any:
