@@ -146,11 +146,11 @@ CHARACTERISTIC = [
 ]
 PASSIVITY = [
     Mutation(
-        "what is absorbed: a product has the other sign",
+        "what is absorbed has two powers of the frequency too many",
         "passivity.absorption",
         "Absorption.of",
-        "Fraction(-1)",
-        "Fraction(1)",
+        "2 * j + 1",
+        "2 * j + 3",
         "layers",
     ),
     Mutation("the envelope is ten times too low", "passivity.tail", "_envelope", "known * UP", "known * UP / 10"),
