@@ -146,11 +146,11 @@ CHARACTERISTIC = [
 ]
 PASSIVITY = [
     Mutation(
-        "what is absorbed has two powers of the frequency too many",
-        "passivity.absorption",
-        "Absorption.of",
-        "2 * j + 1",
-        "2 * j + 3",
+        "what is absorbed: one product is taken for the other",
+        "tracks.waveguide",
+        "power",
+        "multiply(nr, di)",
+        "multiply(ni, dr)",
         "layers",
     ),
     Mutation("the envelope is ten times too low", "passivity.tail", "_envelope", "known * UP", "known * UP / 10"),
