@@ -82,8 +82,10 @@ class Judge:
         A, G = self.matrix(boxes)
         s = scalar(A, G.good)
         verdict = nonzero(s.s)
-        rest = np.flatnonzero((kind == 0) & self._may_be_passive(boxes, low) & G.good & _seems_passive(G))
-        kind[rest[positive_definite(*G.take(rest).absorbed)]] = ABSORBING
+        rest = np.flatnonzero((kind == 0) & self._may_be_passive(boxes, low) & G.good)
+        if len(rest):
+            rest = rest[_seems_passive(G.take(rest))]
+            kind[rest[positive_definite(*G.take(rest).absorbed)]] = ABSORBING
         kind[(kind == 0) & s.good & verdict.nonzero] = NONZERO
         if self.envelope is not None:
             kind[self._passive(self.envelope, boxes, G, low, high, kind)] = PASSIVE
