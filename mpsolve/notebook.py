@@ -21,12 +21,13 @@ from mpsolve.ranges.table import Table
 from mpsolve.report import spectrum_words as words
 from mpsolve.report.range_table import WITHOUT
 from mpsolve.report.template import rendered
-from mpsolve.report.vibration import in_words, motion_rows, vibrations
+from mpsolve.report.vibration import Trend, Vibration, vibrations
 from mpsolve.spectrum.regions import Sheet
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.vibration.case_motion import Response
 
-_TEMPLATE = "card.html.j2"
+_TEMPLATE, _PLACES = "card.html.j2", 8
+_DOES = {Trend.GROWS: "GROWS, doubles", Trend.DECAYS: "decays, halves"}
 
 
 @singledispatch
@@ -42,10 +43,7 @@ def problem_card(spectrum: Spectrum) -> str:
     if isinstance(spectrum.region, Sheet):
         picture, cuts_seen = spectrum_picture(spectrum, _name(spectrum.problem))
     units, motions = words.units_of(spectrum), vibrations(spectrum)
-    rows = [
-        (row[0], *_parts(motion.root.q), row[1], row[2].replace("-", "−"), in_words(row, units.time))
-        for motion, row in zip(motions, motion_rows(motions), strict=True)
-    ]
+    rows = [(f"q{j}", *_row(motion, units.time)) for j, motion in enumerate(motions, 1)]
     return rendered(
         _TEMPLATE,
         head=words.verdict(spectrum),
@@ -114,10 +112,19 @@ def table_card(table: Table) -> str:
     )
 
 
+def _row(motion: Vibration, unit: str) -> tuple[str, ...]:
+    """Re q, Im q, frequency and growth rate in eight digits, and what the vibration does in which time."""
+    frequency, rate = (proved_digits(x, _PLACES) for x in (motion.frequency, motion.rate))
+    time = "" if motion.time is None else f" in {proved_digits(motion.time, _PLACES)} {unit}"
+    number = motion.root.multiplicity
+    several = f" ({number} roots)" if number > 1 else ""
+    does = f"{_DOES.get(motion.trend, motion.trend.value)}{time}{several}"
+    return *_parts(motion.root.q), frequency, rate.replace("-", "−"), does
+
+
 def _parts(q: Any) -> tuple[str, str]:
-    """Re q and Im q in eight digits."""
     with precision(128):
-        real, imag = proved_digits(abs(q.real), 8), proved_digits(q.imag, 8)
+        real, imag = proved_digits(abs(q.real), _PLACES), proved_digits(q.imag, _PLACES)
     return ("" if q.real == 0 else "±") + real, imag.replace("-", "−")
 
 

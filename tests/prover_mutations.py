@@ -99,11 +99,15 @@ CHARACTERISTIC = [
         "sprung",
     ),
     Mutation(
-        "waves behind a load have the other sign", "characteristic.discs", "summed", "behind, -1.0)", "behind, 1.0)"
+        "waves behind a load have the other sign",
+        "characteristic.residues",
+        "summed",
+        "behind, -1.0)",
+        "behind, 1.0)",
     ),
     Mutation(
         "D_P: the factors of powers are off by one",
-        "characteristic.discs",
+        "characteristic.residues",
         "_slopes",
         "np.arange(1, c.shape[2])",
         "np.arange(2, c.shape[2] + 1)",

@@ -12,8 +12,9 @@ from mpsolve.certificate.format import Certificate
 from mpsolve.certificate.sheet_file import sheet_certificate
 from mpsolve.certificate.spectrum_file import RootEntry, spectrum_certificate
 from mpsolve.certificate.whole_sheet import closing_words, sheet_halves, unstable_part
-from mpsolve.errors import InputError, PrecisionError
+from mpsolve.errors import PrecisionError
 from mpsolve.numbers.decimals import outward
+from mpsolve.numbers.model import whole
 from mpsolve.numbers.result import Cost
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.line import Line, on_line
@@ -86,13 +87,7 @@ def certify_problem(
 
 def checked_digits(digits: object) -> int:
     """A whole number from 15 to 10,000."""
-    try:
-        number = int(digits.__index__())  # type: ignore[attr-defined]
-    except (AttributeError, TypeError):
-        number = 0
-    if not MIN_DIGITS <= number <= MAX_DIGITS:
-        raise InputError("digits", f"is {digits!r}: give a whole number from {MIN_DIGITS} to {MAX_DIGITS}")
-    return number
+    return whole(digits, "digits", MIN_DIGITS, MAX_DIGITS)
 
 
 def _timed(progress: Progress, budget: Effort) -> Progress:

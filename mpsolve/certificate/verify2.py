@@ -22,7 +22,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache, partial
 from itertools import combinations, pairwise, product
 from math import comb, prod
-from operator import mul
+from operator import lt, mul
 from typing import Any
 
 import flint
@@ -715,23 +715,28 @@ class Form:
         self.known: dict[int, list[Any]] = {}
 
     def sizes(self, order: int) -> list[Any]:
-        """Bounds of the constants, of the linear, of the quadratic parts: order 0, 1, 2."""
+        """Bounds of the constants, of the linear, of the quadratic parts: order 0, 1, 2; of all, and the rest: 3."""
         found = self.known.get(order)
         if found is None:
-            rows = (self.k[:1], self.k[1 : 1 + self.m], self.k[1 + self.m :])[order]
-            found = self.known[order] = sums([[x.abs_upper() for x in row] for row in rows], len(self.e))
+            if order < 3:
+                first, last = (0, 1, 1 + self.m, len(self.k))[order : order + 2]
+                found = sums([[x.abs_upper() for x in row] for row in self.k[first:last]], len(self.e))
+            else:
+                found = sums([self.sizes(0), self.spread], len(self.e)) if self.m else self.sizes(0)
+            self.known[order] = found
         return found
 
     @property
     def spread(self) -> list[Any]:
         """Bounds of what changes."""
-        parts = [self.sizes(1), self.sizes(2), self.e] if self.second else [self.sizes(1), self.e]
-        return sums(parts, len(self.e)) if self.m else self.e
+        if not self.m:
+            return self.e
+        return sums([self.sizes(1), self.sizes(2), self.e] if self.second else [self.sizes(1), self.e], len(self.e))
 
     @property
     def size(self) -> list[Any]:
         """Bounds of all."""
-        return sums([self.sizes(0), self.spread], len(self.e)) if self.m else self.sizes(0)
+        return self.sizes(3)
 
     def __add__(self, other: Form) -> Form:
         k = [[x + y for x, y in zip(a, b, strict=True)] for a, b in zip(self.k, other.k, strict=True)]
@@ -966,8 +971,10 @@ class Place:
 
     def form(self, table: Any) -> Form:
         """From Taylor's coefficients."""
-        columns = [list(x) for x in zip(*table.tolist(), strict=True)]
-        e = sums([[x.abs_upper() for x in column] for column in columns[self.width :]], table.nrows())
+        return self.of_columns([list(x) for x in zip(*table.tolist(), strict=True)])
+
+    def of_columns(self, columns: Rows) -> Form:
+        e = sums([[x.abs_upper() for x in column] for column in columns[self.width :]], len(columns[0]))
         return Form(columns[: self.width], e, self.m)
 
     def value(self, polynomials: Sums) -> Form:
@@ -1016,22 +1023,14 @@ class Local:
 
     def about(self, z: Sequence[Any], table: Any) -> tuple[list[Form], list[list[Any]]]:
         """Of E_i in Σ f_j (z + h)^j = Σ E_i h^i, for each z: the first ones, and bounds of all from E_2 on."""
-        n, size = len(z), table.nrows()
-        if size == 1:
-            return [self.place.form(table).take([0] * n)], [[]]
-        known = [powers(x, size - 1) for x in z]
-        rows = [[p[d] * c if c else NONE for d, c in row] for row in binomials(size, size) for p in known]
-        few = min(size, self.place.order + 2)
-        f = self.place.form(acb_mat(rows) * table)
-        bounds = f.part(2 * n, size * n).size
-        above = [bounds[i : i + n] for i in range(0, len(bounds), n)]
-        return [f.part(i * n, (i + 1) * n) for i in range(few)], [[], [], *above]
-
-
-@lru_cache(maxsize=64)
-def binomials(size: int, rows: int) -> list[list[tuple[int, int]]]:
-    """(power, factor) of z in the coefficient of h^i in (z + h)^j."""
-    return [[(j - i, comb(j, i)) for j in range(size)] for i in range(rows)]
+        size, width = table.nrows(), table.ncols()
+        rows = table.tolist()
+        steps = [[comb(i + j, i) * x for i in range(size - j) for x in rows[i + j]] for j in range(size)]
+        filled = [[*row, *[NONE] * (width * j)] for j, row in enumerate(steps)]
+        E = (acb_mat([powers(x, size - 1) for x in z]) * acb_mat(filled)).tolist()
+        columns = [list(x) for x in zip(*E, strict=True)]
+        forms = [self.place.of_columns(columns[i * width : (i + 1) * width]) for i in range(size)]
+        return forms[: self.place.order + 2], [*([] for _ in forms[:2]), *(f.size for f in forms[2:])]
 
 
 class Waves:
@@ -1105,16 +1104,21 @@ def tiny(z: Sequence[Any]) -> Any:
 def contraction(w: Sequence[Any], inverse: Any, tiny: Any) -> tuple[list[Any], list[Any]] | None:
     """(β, τ) of Lemma 1 for |W_k| ≤ w_k; inverse: 1/|z_k − z_l| for nodes of two sides, else 0.
 
-    β is found by iteration; what counts is the last inequality.
+    β is found by iteration; what counts is the last inequality. The wider of two joins more neighbours.
     """
+
+    def image(beta: list[Any]) -> list[Any]:
+        s = (inverse * arb_mat(len(w), 1, beta)).entries() if w else []
+        return [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)] if all(y < 0.5 for y in s) else [arb("inf")]
+
     beta = [(x * 1.2 + tiny).upper() for x in w]
     for _ in range(10):
-        s = (inverse * arb_mat(len(w), 1, beta)).entries() if w else []
-        if not all(x < 0.5 for x in s):
+        tau = image(beta)
+        if all(map(lt, tau, beta)):
+            wide = [(x * 2).upper() for x in beta]
+            return (wide if all(map(lt, image(wide), wide)) else beta), tau
+        if not tau[0].is_finite():
             return None
-        tau = [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)]
-        if all(x < y for x, y in zip(tau, beta, strict=True)):
-            return beta, tau
         beta = [(x * 1.15 + tiny).upper() for x in tau]
     return None
 
@@ -1182,7 +1186,7 @@ def p_roots(local: Local) -> list[Any]:
     D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
     size = abs(D[0] / D[local.degree]) ** arb(fmpq(1, local.degree))
     try:
-        found = D.roots(tol=size * arb(2) ** (-flint.ctx.prec // 2), maxprec=4 * flint.ctx.prec + 1000)
+        found = D.roots(tol=size * arb(2) ** (-flint.ctx.prec // 2), maxprec=2 * flint.ctx.prec + 1000)
     except ValueError:
         raise Refused("p-roots meet in the middle of a piece") from None
     return [x.mid() for x in found]
@@ -2199,6 +2203,12 @@ def closing(walker: Walker, mark: Mark) -> Any:
     raise Refused("a pivot may vanish where the path comes to its corner")
 
 
+def whole(number: Any) -> int:
+    n = number.unique_fmpz()
+    require(n is not None, "the change of the argument does not tell the number of roots")
+    return int(n)
+
+
 def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: Any, track: Track) -> int:
     """The number of roots in the region, proved."""
     passive = region.kind in ("unstable", "below")
@@ -2218,9 +2228,7 @@ def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: 
         number = (closed + (b.nb - b.nc - b.vehicle.neutral) * pi / 2 - turned) / pi
     else:
         number = turned / (2 * pi) if region.kind == "rectangle" else -turned / pi
-    n = number.unique_fmpz()
-    require(n is not None, "the change of the argument does not tell the number of roots")
-    return int(n)
+    return whole(number)
 
 
 # --- the whole sheet --------------------------------------------------------------------------------------
@@ -2405,8 +2413,7 @@ def far_waves(d: Sums, r: Any) -> list[Any]:
     for i, (middle, e) in enumerate([*steps, *arcs]):
         center, e = middle.mid(), e.upper() + (middle - middle.mid()).abs_upper()
         here = Local(Place.disc(center, e), d, Sums.of([{(0,): arb(1)}]))
-        z = p_roots(here)
-        split = Nodes([z[nearest(x, z)] for x, _ in before], 2, here).split()
+        split = split_near(here, ([x for x, _ in before], 2))
         radii = [x for side in split.nodes.side for x in (split.isolated(side))]
         now = list(zip(split.nodes.z, radii, strict=True))
         touch = [[not abs(x - y) > d + f for y, f in before] for x, d in now]
@@ -2416,22 +2423,21 @@ def far_waves(d: Sums, r: Any) -> list[Any]:
             continue
         waves, weight = residues(here, split.nodes.z, radii)
         weight = weight.scaled([acb(1), acb(1), acb(-1), acb(-1)])
-        ahead, near, other, behind = (weight.take([j]) for j in range(4))
-        pairs_, quarter = ((ahead, behind, corner[3]), (near, other, corner[2])), arb(fmpq(1, 8)).sqrt()
+        one, two, turn = weight.take([0, 1]), weight.take([3, 2]), (corner[3], corner[2])  # U: a, e; L: c, f
         found = [
-            max_bound(*(departs(x + y, quarter) for x, y in ((ahead, near), (behind, other)))),
-            16 * max_bound(*(departs(x * y, u * u / 16) for x, y, u in pairs_)),
-            4 * max_bound(*(departs(x + y, u / 2) for x, y, u in pairs_)),
-            max_bound(*(departs(waves.take([j]), z) for j, z in enumerate(corner))),
+            departs(weight.take([0, 3]) + weight.take([1, 2]), [arb(fmpq(1, 8)).sqrt()] * 2),
+            16 * departs(one * two, [u * u / 16 for u in turn]),
+            4 * departs(one + two, [u / 2 for u in turn]),
+            departs(waves, corner),
             max_bound(*weight.size),
         ]
         bounds = [max_bound(x, y) for x, y in zip(bounds, found, strict=True)]
     return bounds
 
 
-def departs(f: Form, value: Any) -> Any:
-    """A bound of |f − value| over the place."""
-    return f.plus([-value]).size[0]
+def departs(f: Form, values: Sequence[Any]) -> Any:
+    """A bound of |f − value| over the place, for all of the row."""
+    return max_bound(*f.plus([-x for x in values]).size)
 
 
 def max_bound(*values: Any) -> Any:
@@ -2491,9 +2497,7 @@ def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
     require((end, zero) in marks, "the count does not come to its end")
     b, pi = up.bordered, arb.pi()
     closed = closing(up, marks[end, zero]) + (b.nb - b.nc) * pi / 2
-    n = ((closed - turned) * (1 if damped else 2) / pi).unique_fmpz()
-    require(n is not None, "the change of the argument does not tell the number of roots")
-    return int(n)
+    return whole((closed - turned) * (1 if damped else 2) / pi)
 
 
 def count_beside(sheet: Sheet, region: Region, spent: Walker, content: Any, start: Any) -> int:
@@ -2514,10 +2518,9 @@ def count_beside(sheet: Sheet, region: Region, spent: Walker, content: Any, star
     check_lines(turn.points, [(a, c), (b, c), (b, d), (a, d), (a, c)])
     walker.begin(start)
     walker.path(link)
-    n = (walker.path(turn) / (2 * arb.pi())).unique_fmpz()
+    n = whole(walker.path(turn) / (2 * arb.pi()))
     spent.pieces += walker.pieces
-    require(n is not None, "the change of the argument does not tell the number of roots")
-    return int(n)
+    return n
 
 
 def in_gap(sheet: Sheet, z: Any) -> bool:
@@ -2627,6 +2630,16 @@ def framed(a: Any, right: Rows, low: Rows) -> Rows:
     return rows + [[*row, *[0] * len(low)] for row in low]
 
 
+def require_apart(balls: list[tuple[Point, Any]], why: str) -> None:
+    """No two closed discs (middle, radius) have a point in common."""
+    balls.sort(key=lambda ball: ball[0][0] - ball[1])
+    for k, ((x, y), r) in enumerate(balls):
+        for (u, w), s in balls[k + 1 :]:
+            if u - s > x + r:
+                break
+            require((u - x) ** 2 + (w - y) ** 2 > (r + s) ** 2, why)
+
+
 def check_roots(values: Any, region: Region, track: Track, vehicle: Bodies, walker: Walker) -> list[Root]:
     """The claimed roots: inside the region, apart from each other, each proved."""
     roots = [read_root(value) for value in items(values, MAX_ROOTS, "roots")]
@@ -2643,12 +2656,7 @@ def check_roots(values: Any, region: Region, track: Track, vehicle: Bodies, walk
                 region.kind == "rectangle" or x == 0, f"root {k} is neither one of a pair nor on the imaginary axis"
             )
         balls.append((root.z, root.radius))
-    balls.sort(key=lambda ball: ball[0][0] - ball[1])
-    for k, ((x, y), r) in enumerate(balls):
-        for (u, w), s in balls[k + 1 :]:
-            if u - s > x + r:
-                break
-            require((u - x) ** 2 + (w - y) ** 2 > (r + s) ** 2, "two balls of roots overlap")
+    require_apart(balls, "two balls of roots overlap")
     for k, root in enumerate(roots):
         try:
             check_root(track, vehicle, root, walker)

@@ -193,7 +193,11 @@ def laid(box: Box, slope: Any, more: Any) -> Box:
 
 
 def resized(place: Place, factor: Any) -> Place:
-    return Place(place.middle, [r * factor for r in place.half], place.order)
+    """About the same middle, along the same slope."""
+    half = [r * factor for r in place.half]
+    if isinstance(place, Sloped):
+        return Sloped(place.middle, half, place.order, place.slope)
+    return Place(place.middle, half, place.order)
 
 
 def nodes_over(waves: spectra.Waves, place: Place) -> spectra.Nodes:

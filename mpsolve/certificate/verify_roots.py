@@ -715,18 +715,6 @@ def zeros_in(f: Function, below: Function | None, root: Root) -> list[int]:
     return list(found.values())
 
 
-def check_apart(roots: Sequence[Root]) -> None:
-    """No two discs overlap."""
-    order = sorted(roots, key=lambda root: root.x - root.r)
-    active: list[Root] = []
-    for root in order:
-        active = [other for other in active if other.x + other.r >= root.x - root.r]
-        for other in active:
-            apart = (root.x - other.x) ** 2 + (root.y - other.y) ** 2 > (root.r + other.r) ** 2
-            require(apart, "two discs overlap")
-        active.append(root)
-
-
 # --- the claim --------------------------------------------------------------------------------------------
 
 
@@ -823,7 +811,7 @@ def region(content: dict[str, Any]) -> str:
         check_analytic(f, counted, cuts, content["trees"])
         numbers = count(f, legs, content["breaks"])
     roots = [read_root(one) for one in items(content["roots"], MAX_ROOTS, "roots")]
-    check_apart(roots)
+    spectra.require_apart([((root.x, root.y), root.r) for root in roots], "two discs overlap")
     held = [0] * len(numbers)
     for root in roots:
         require(place_of_box(counted, *root.corners) is True, "a disc is not inside the polygon that was counted")
@@ -840,13 +828,15 @@ def region(content: dict[str, Any]) -> str:
 
 
 def words(f: Function, below: Function | None, asked: Region, cuts: Sequence[Cut], total: int, discs: int) -> str:
-    text = f.shown if below is None else f"({f.shown})/({below.shown})"
     without = f", without the branch cuts {'; '.join(map(cut_words, cuts))}," if cuts else ""
     zeros = "zero" if total == 1 else "zeros"
     where = f" in {discs} disjoint discs" if total else ""
-    return (
-        f"f(z) = {text}\n{asked.words}{without} holds exactly {total} {zeros} of f, counted with multiplicity{where}"
-    )
+    holds = f"holds exactly {total} {zeros} of f, counted with multiplicity{where}"
+    return f"f(z) = {shown(f, below)}\n{asked.words}{without} {holds}"
+
+
+def shown(f: Function, below: Function | None) -> str:
+    return f.shown if below is None else f"({f.shown})/({below.shown})"
 
 
 def cut_words(cut: Cut) -> str:
@@ -881,10 +871,9 @@ def interval(content: dict[str, Any]) -> str:
         integer(content["claim"]["zeros"], 0, MAX_ROOTS, "zeros") == len(found),
         "the claimed number is not the proved one",
     )
-    text = f.shown if below is None else f"({f.shown})/({below.shown})"
     zeros = "zero" if len(found) == 1 else "zeros"
     claim = f"holds exactly {len(found)} real {zeros} of f, with multiplicities {times}"
-    return f"f(z) = {text}\n[{short(a)}, {short(b)}] {claim}"
+    return f"f(z) = {shown(f, below)}\n[{short(a)}, {short(b)}] {claim}"
 
 
 def tiles_of(g: Function, power: int, a: Any, b: Any, row: Any, f: Function) -> list[tuple[Any, Any, int]]:

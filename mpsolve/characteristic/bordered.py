@@ -13,7 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.discs import receptances, split, waves
+from mpsolve.characteristic.discs import split
+from mpsolve.characteristic.residues import receptances, waves
 from mpsolve.characteristic.table import Table
 from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import TINY, UP, Jet, U, nearest

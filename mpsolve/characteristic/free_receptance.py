@@ -82,7 +82,7 @@ class FreeReceptance:
             for mask, upper in sides:
                 own = (np.arange(z.shape[1]) < self.track.up) == upper
                 rows = np.flatnonzero(roots.good[:, own].all(1) & (low > 0))
-                part, turned = _residues(roots, rows, own, xi[rows][:, mask], self.distances[0].fixed)
+                part, turned = residues(roots, rows, own, xi[rows][:, mask], self.distances[0].fixed)
                 strain[:, rows] += turned
                 _put(k, e, rows, mask, part if upper else -part)
             good = np.isfinite(e).all(1) & np.isfinite(k).all((0, 2))
@@ -109,7 +109,7 @@ def _put(k: Any, e: Any, rows: Any, mask: Any, part: Quadratic) -> None:
     k[:, at[0], at[1]], e[at] = part.k, part.e
 
 
-def _residues(roots: Roots, rows: Any, own: Any, xi: Quadratic, fixed: bool) -> tuple[Quadratic, Any]:
+def residues(roots: Roots, rows: Any, own: Any, xi: Quadratic, fixed: bool) -> tuple[Quadratic, Any]:
     """(Σ e^{Pξ} N/D_P over the roots of one side, shape (boxes, distances), how each variable turns the waves)."""
     if not own.any():
         return Quadratic(np.zeros(xi.k.shape, complex), np.zeros(xi.e.shape), xi.m), 0.0

@@ -14,14 +14,14 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
-from mpsolve.characteristic.discs import split, told_apart
+from mpsolve.characteristic.discs import split
+from mpsolve.characteristic.residues import told_apart
 from mpsolve.characteristic.table import Table
 from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.tracks.waveguide import Polynomial
 
 _NEAR = 2.0**-50
-_I = (1, 1j, -1, -1j)
 _TURNS = ((1, 0), (0, 1), (-1, 0), (0, -1))
 
 

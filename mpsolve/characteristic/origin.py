@@ -14,16 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.discs import (
-    Receptances,
-    Roots,
-    Splittings,
-    isolated,
-    near_roots,
-    summed,
-    told_apart,
-    weights,
-)
+from mpsolve.characteristic.discs import Splittings, near_roots
+from mpsolve.characteristic.residues import Receptances, Roots, isolated, summed, told_apart, weights
 from mpsolve.characteristic.table import Table
 from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import UP, Jet, U

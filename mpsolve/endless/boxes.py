@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
-from mpsolve.characteristic.discs import Splittings, split, waves
+from mpsolve.characteristic.discs import Splittings, split
 from mpsolve.characteristic.path import discs
+from mpsolve.characteristic.residues import waves
 from mpsolve.endless.lattice import first_force
 from mpsolve.endless.row import Row
 from mpsolve.errors import EffortError, PrecisionError
@@ -126,45 +127,43 @@ class Boxes:
     arrays: LatticeArrays
     up: int
 
-    def _evaluate(self, start: complex, end: complex, low: Any, high: Any) -> tuple[Any, Any, Jet, Any, Any, Any]:
+    def _test(self, start: complex, end: complex, judged: Callable[..., tuple[Any, Any, Any]]) -> Test:
+        """judged(m, r, G, piece) → (which pass, how much σ moves, what the rest is); piece: from start to end."""
         way = end - start
-        a, b = start + low[0] * way, start + high[0] * way
-        m, r = discs(a, b)
-        middle, half = (low[1] + high[1]) / 2, (high[1] - low[1]) / 2
-        off = half * (1 + 8 * U) + 16 * U  # a chord is shorter than its arc; θ and its cosine are rounded
-        with np.errstate(all="ignore"):
-            G, good, told = self.arrays.on_arcs(split(self.arrays.D, m, r, self.up), np.exp(1j * middle), off)
-        return m, r, G, good, told, b - a
-
-    def regular(self, start: complex, end: complex) -> Any:
-        """A test: Δ̂(z, σ) ≠ 0 on the whole box."""
 
         def test(low: Any, high: Any) -> tuple[Any, Any]:
-            m, r, G, good, told, _ = self._evaluate(start, end, low, high)
+            a, b = start + low[0] * way, start + high[0] * way
+            m, r = discs(a, b)
+            middle, half = (low[1] + high[1]) / 2, (high[1] - low[1]) / 2
+            off = half * (1 + 8 * U) + 16 * U  # a chord is shorter than its arc; θ and its cosine are rounded
             with np.errstate(all="ignore"):
-                A = self.arrays.matrix(G, m)
-                found = regular(A)
-                size = np.abs(found.R)
-                by_sigma = (np.abs(found.R @ A.b) * r[:, None, None]).sum((1, 2))
-                by_rest = (size @ A.e).sum((1, 2))
-            return good & found.good, _axis(low, high, by_sigma, by_rest, told)
-
-        return test
-
-    def passive(self, start: complex, end: complex) -> Any:
-        """A test: σĜ has a positive definite Hermitian part on the whole box."""
-
-        def test(low: Any, high: Any) -> tuple[Any, Any]:
-            m, r, G, good, told, piece = self._evaluate(start, end, low, high)
-            with np.errstate(all="ignore"):
-                sigma = Jet(m[:, None, None], np.ones((len(m), 1, 1), complex), np.zeros((len(m), 1, 1)), r)
-                V = sigma * G
-                fine = positive(V, 1j * piece / np.abs(piece), 64 * U * (np.abs(m) + r))
-                by_sigma = (np.abs(V.b) * r[:, None, None]).sum((1, 2))
-                by_rest = V.e.sum((1, 2))
+                G, good, told = self.arrays.on_arcs(split(self.arrays.D, m, r, self.up), np.exp(1j * middle), off)
+                fine, by_sigma, by_rest = judged(m, r, G, b - a)
             return good & fine, _axis(low, high, by_sigma, by_rest, told)
 
         return test
+
+    def regular(self, start: complex, end: complex) -> Test:
+        """A test: Δ̂(z, σ) ≠ 0 on the whole box."""
+
+        def judged(m: Any, r: Any, G: Jet, _: Any) -> tuple[Any, Any, Any]:
+            A = self.arrays.matrix(G, m)
+            found = regular(A)
+            by_sigma = (np.abs(found.R @ A.b) * r[:, None, None]).sum((1, 2))
+            return found.good, by_sigma, (np.abs(found.R) @ A.e).sum((1, 2))
+
+        return self._test(start, end, judged)
+
+    def passive(self, start: complex, end: complex) -> Test:
+        """A test: σĜ has a positive definite Hermitian part on the whole box."""
+
+        def judged(m: Any, r: Any, G: Jet, piece: Any) -> tuple[Any, Any, Any]:
+            sigma = Jet(m[:, None, None], np.ones((len(m), 1, 1), complex), np.zeros((len(m), 1, 1)), r)
+            V = sigma * G
+            fine = positive(V, 1j * piece / np.abs(piece), 64 * U * (np.abs(m) + r))
+            return fine, (np.abs(V.b) * r[:, None, None]).sum((1, 2)), V.e.sum((1, 2))
+
+        return self._test(start, end, judged)
 
 
 def _axis(low: Any, high: Any, by_sigma: Any, by_rest: Any, told: Any) -> Any:

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
-from mpsolve.characteristic.discs import split, waves
+from mpsolve.characteristic.discs import split
 from mpsolve.characteristic.path import discs
+from mpsolve.characteristic.residues import waves
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.numbers.jets import UP, Jet
 from mpsolve.outcome import Reason

@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.finite.case import FEWEST_STEPS, MOST_STEPS, MOST_WORK, Answer, positive, share
+from mpsolve.finite.answer import Answer
+from mpsolve.finite.case import FEWEST_STEPS, MOST_STEPS, MOST_WORK, positive, share
 from mpsolve.finite.case import Case as Track
 from mpsolve.numbers.exact import Number
 from mpsolve.numbers.float_list import checked_times, float_list

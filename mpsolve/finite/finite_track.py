@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from mpsolve.errors import EffortError, InputError
-from mpsolve.finite.case import FEWEST_STEPS, MOST_STEPS, Answer, Case
+from mpsolve.finite.answer import Answer
+from mpsolve.finite.case import FEWEST_STEPS, MOST_STEPS, Case
 from mpsolve.numbers.model import whole
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem

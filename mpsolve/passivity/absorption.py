@@ -10,7 +10,7 @@ import numpy as np
 from mpsolve.frozen import frozen
 from mpsolve.numbers.several import multiply, plus
 from mpsolve.problem.reduced import Guide
-from mpsolve.tracks.waveguide import Polynomial, moving, scaled
+from mpsolve.tracks.waveguide import Polynomial, halves, moving, power
 
 
 @frozen
@@ -32,19 +32,10 @@ class Absorption:
 
     @classmethod
     def of(cls, guide: Guide) -> Absorption:
-        (dr, di), (nr, ni) = _parts(guide.D_rest), _parts(guide.N_rest)
-        W = plus(multiply(nr, di), scaled(multiply(ni, dr), Fraction(-1)))
-        return cls(W, plus(multiply(dr, dr), multiply(di, di)), guide.v)
-
-
-def _parts(polynomial: Polynomial) -> tuple[Polynomial, Polynomial]:
-    """Real and imaginary part at P = ip, s = iΩ; P occurs in even powers."""
-    real: Polynomial = {}
-    imaginary: Polynomial = {}
-    for (i, j), c in polynomial.items():
-        turn = (i + j) % 4
-        (imaginary if j % 2 else real)[i, j] = c if turn in (0, 1) else -c
-    return real, imaginary
+        (even, odd), w = halves(guide.D_rest), power(guide.D_rest, guide.N_rest)
+        D2 = {(2 * i, 2 * j): c for (i, j), c in multiply(even, even).items()}
+        D2 = plus(D2, {(2 * i, 2 * j + 2): c for (i, j), c in multiply(odd, odd).items()})
+        return cls({(2 * i, 2 * j + 1): c for (i, j), c in w.items()}, D2, guide.v)
 
 
 def overtakes(absorption: Absorption, v: Fraction) -> bool:

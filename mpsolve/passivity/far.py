@@ -14,6 +14,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
+from mpsolve.numbers.affine import Affine
 from mpsolve.numbers.jets import UP
 from mpsolve.numbers.several import evaluated
 from mpsolve.passivity.decay import edges
@@ -79,17 +80,20 @@ def _may_be(envelope: Envelope) -> bool:
     return envelope.fastest > 0 and envelope.subject.power.alpha > 1 and (gap is None or gap > 0)
 
 
+def _looked_at(envelope: Envelope) -> tuple[list[Affine], float | None, list[FarChart]]:
+    """The parameters of the box, the least gap, and the charts in which power may be taken."""
+    subject, low, high = envelope.subject, np.array([envelope.low]), np.array([envelope.high])
+    charts = [FarChart.of(subject, gamma) for gamma in slopes(subject, low / 2 + high / 2)]
+    return [f.take(0) for f in subject.parameters(low, high)], least_gap(subject, low, high), charts
+
+
 def _far(envelope: Envelope, least: float, most: float) -> float | None:
     """X for all parameters of the box at once."""
-    subject = envelope.subject
-    low, high = np.array([envelope.low]), np.array([envelope.high])
-    parameters = [f.take(0) for f in subject.parameters(low, high)]
-    gap = least_gap(subject, low, high)
-    charts = [FarChart.of(subject, gamma) for gamma in slopes(subject, low / 2 + high / 2)]
+    parameters, gap, charts = _looked_at(envelope)
 
     def holds(X: float) -> float | None:
         given = given_from(envelope, X, gap)
-        taken = (chart.taken(envelope, parameters, X, gap, subject.power.alpha) for chart in charts)
+        taken = (chart.taken(envelope, parameters, X, gap, envelope.subject.power.alpha) for chart in charts)
         return X if np.isfinite(given) and any(x > given * MARGIN for x in taken) else None
 
     return _first(least, most, holds)
@@ -129,14 +133,10 @@ class FarNumbers:
 
 def far_numbers(envelope: Envelope, least: float = 1.0, most: float = 1e7) -> FarNumbers | None:
     """The theorem with numbers from which something is taken off, at the least X found; None where there is none."""
-    subject = envelope.subject
-    low, high = np.array([envelope.low]), np.array([envelope.high])
-    parameters = [f.take(0) for f in subject.parameters(low, high)]
-    gap = least_gap(subject, low, high)
-    if envelope.fastest <= 0 or subject.power.alpha <= 1 or (gap is not None and not gap > 0):
+    if not _may_be(envelope):
         return None
-    charts = [FarChart.of(subject, gamma) for gamma in slopes(subject, low / 2 + high / 2)]
-    alpha = subject.power.alpha
+    parameters, gap, charts = _looked_at(envelope)
+    alpha = envelope.subject.power.alpha
 
     def holds(X: float) -> FarNumbers | None:
         given = given_from(envelope, X, gap)
@@ -163,9 +163,6 @@ def slopes(subject: Subject, x: Any) -> list[Fraction]:
     """Exponents γ with 0 ≤ γ ≤ 1 of the track at a point of the box."""
     point = [Fraction(float(t)) for t in x[0]]
 
-    rows: dict[tuple[int, int], list[Any]] = {}
-    for (i, j, *powers), c in subject.D.items():
-        rows.setdefault((i, j), []).append((tuple(powers), c))
-    D: Polynomial = {key: c for key, terms in rows.items() if (c := evaluated(terms, point))}
+    D: Polynomial = {key: c for key, terms in subject.rows.items() if (c := evaluated(terms, point))}
     found = {edge.slope for edge in edges(moving(D, evaluated(subject.v.items(), point)), {(0, 0): Fraction(1)})}
     return sorted(gamma for gamma in found if 0 <= gamma <= 1)

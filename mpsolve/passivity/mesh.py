@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.float64 import companions
 from mpsolve.passivity.subject import Subject, floats_of
 
 _REACH = 12.0  # of the cells, in the largest wavenumber that counts
@@ -38,9 +39,7 @@ def cells(subject: Subject, q: Any, x: Any, spread: Any, side: int) -> Any:
 
 def wavenumbers(subject: Subject, q: Any, v: Any, x: Any) -> Any:
     """The roots p of D(ip, i(q − vp)), shape (boxes, degree)."""
-    rows: dict[tuple[int, int], list[Any]] = {}
-    for (i, j, *powers), c in subject.D.items():
-        rows.setdefault((i, j), []).append((tuple(powers), c))
+    rows = subject.rows
     degree = max(i + j for i, j in rows)
     D = np.zeros((len(q), degree + 1), complex)
     for (i, j), terms in rows.items():
@@ -49,9 +48,7 @@ def wavenumbers(subject: Subject, q: Any, v: Any, x: Any) -> Any:
             D[:, i + k] += c * comb(j, k) * q ** (j - k) * (-v) ** k
     used = np.flatnonzero(np.abs(D).max(0) > 0)
     D = D[:, : used[-1] + 1]
-    n = D.shape[1] - 1
-    lead = np.where(np.abs(D[:, n]) > 1e-12 * np.abs(D).max(1), D[:, n], 1e-12 * np.abs(D).max(1))
-    companion = np.zeros((len(q), n, n), complex)
-    companion[:, np.arange(n - 1), np.arange(1, n)] = 1
-    companion[:, n - 1] = -D[:, :n] / lead[:, None]
-    return np.linalg.eigvals(np.where(np.isfinite(companion), companion, 0))
+    least = 1e-12 * np.abs(D).max(1)
+    D[:, -1] = np.where(np.abs(D[:, -1]) > least, D[:, -1], least)
+    C = companions(D)
+    return np.linalg.eigvals(np.where(np.isfinite(C), C, 0))

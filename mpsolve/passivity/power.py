@@ -16,6 +16,7 @@ import numpy as np
 
 from mpsolve.numbers.affine import Affine, constant, horner
 from mpsolve.numbers.several import multiply, plus
+from mpsolve.tracks.waveguide import halves, power
 
 Terms = dict[tuple[int, ...], Fraction]
 """Σ c x₁^i x₂^j θ₁^k₁ … as {(i, j, k₁, …): c} with c ≠ 0."""
@@ -35,8 +36,7 @@ class Power:
         D: Mapping[tuple[int, ...], Fraction], N: Mapping[tuple[int, ...], Fraction], names: Sequence[str]
     ) -> Power:
         """From D and N at rest, polynomials in P, s and the parameters, even in P."""
-        (dr, di), (nr, ni) = _halves(D), _halves(N)
-        return Power(_less(multiply(nr, di), multiply(ni, dr)), dr, di, tuple(names))
+        return Power(power(D, N), *halves(D), tuple(names))
 
     @cached_property
     def quotient(self) -> Quotient:
@@ -82,16 +82,6 @@ class Quotient:
         return min(i2 - iw, n2 - nw)
 
 
-def _halves(polynomial: Mapping[tuple[int, ...], Fraction]) -> tuple[Terms, Terms]:
-    """r and i of a polynomial in P and s that is even in P."""
-    out: tuple[Terms, Terms] = ({}, {})
-    for (i, j, *rest), c in polynomial.items():
-        key = (i // 2, j // 2, *rest)
-        half = out[j % 2]
-        half[key] = half.get(key, Fraction(0)) + c * (-1) ** (i // 2 + j // 2)
-    return out
-
-
 def _less(a: Terms, b: Terms) -> Terms:
     return plus(a, {key: -c for key, c in b.items()})
 
@@ -118,8 +108,8 @@ def coefficient(monomials: Iterable[tuple[tuple[int, ...], Fraction]], parameter
     total: Affine | None = None
     for powers, c in monomials:
         term = constant(c)
-        for parameter, power in zip(parameters, powers, strict=True):
-            for _ in range(power):
+        for parameter, times in zip(parameters, powers, strict=True):
+            for _ in range(times):
                 term = term * parameter
         total = term if total is None else total + term
     return total if total is not None else Affine(np.zeros(()))

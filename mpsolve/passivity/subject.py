@@ -66,6 +66,14 @@ class Subject:
         return Subject(Power.of(D, N, family.paths), D, dict(family.v), tuple(dict(place) for place in family.places))
 
     @property
+    def rows(self) -> dict[tuple[int, int], list[tuple[tuple[int, ...], Fraction]]]:
+        """For each P^i s^j of D its coefficient, a polynomial in the parameters."""
+        out: dict[tuple[int, int], list[tuple[tuple[int, ...], Fraction]]] = {}
+        for (i, j, *powers), c in self.D.items():
+            out.setdefault((i, j), []).append((tuple(powers), c))
+        return out
+
+    @property
     def names(self) -> tuple[str, ...]:
         return self.power.names
 

@@ -19,7 +19,7 @@ from mpsolve.characteristic.symbol import Symbol
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.balls import acb, precision, rational_ball
 from mpsolve.numbers.decimals import working_bits
-from mpsolve.numbers.model import velocities
+from mpsolve.numbers.model import velocities, whole
 from mpsolve.numbers.realroots import as_fmpq, positive_roots
 from mpsolve.outcome import Reason, Status
 from mpsolve.passivity.answer import Kind, PassivityVelocity
@@ -60,8 +60,7 @@ def passivity_velocity(
     digits, after 1 s.
     """
     low, high = velocities(over, '{"v": (0, 500)}')
-    if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= _MOST_DIGITS:
-        raise InputError("digits", f"is {digits!r}: give a whole number from 1 to {_MOST_DIGITS}")
+    digits = whole(digits, "digits", 1, _MOST_DIGITS)
     guide = _checked(track)
     if isinstance(track, String):
         return velocity_of_string(track, low, high, working_bits(digits))

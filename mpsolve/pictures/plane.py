@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from html import escape
 from typing import Any
 
 import numpy as np
 
 from mpsolve.batch.view import cuts_in, fitting_window, free_height
-from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, RIGHT, TOP, WIDE, Axes, clip, line, svg, text
+from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, RIGHT, TOP, WIDE, Axes, box, clip, disc, line, svg, text
 from mpsolve.problem.cases import as_problem
 from mpsolve.report.spectrum_words import units_of
 from mpsolve.report.vibration import once
@@ -28,8 +27,7 @@ def plane_picture(
     zero = float(axes.py(0))
     parts = [
         clip(f"{name}-inside"),
-        f'<rect class="grows" x="{LEFT}" y="{zero:.1f}" width="{WIDE - LEFT - RIGHT}" '
-        f'height="{max(HIGH - BOTTOM - zero, 0):.1f}"/>',
+        box(LEFT, zero, WIDE - LEFT - RIGHT, max(HIGH - BOTTOM - zero, 0), "grows"),
         f'<g clip-path="url(#{name}-inside)">',
     ]
     for cut in cuts:
@@ -38,9 +36,7 @@ def plane_picture(
     parts += [_mark(axes, k, complex(q), unit) for k, q in enumerate(roots)]
     if chosen is not None and chosen < len(roots):
         q = complex(roots[chosen])
-        parts.append(
-            f'<circle class="ring" cx="{float(axes.px(q.real)):.1f}" cy="{float(axes.py(q.imag)):.1f}" r="11"/>'
-        )
+        parts.append(disc(float(axes.px(q.real)), float(axes.py(q.imag)), 11, "ring"))
     parts.append("</g>")
     parts += _numbered(axes, roots, numbers)
     parts.append(text(LEFT + 8, HIGH - BOTTOM - 8, "Im q < 0: grows"))
@@ -94,9 +90,6 @@ def _numbered(axes: Axes, roots: Any, numbers: Sequence[str]) -> list[str]:
 
 def _mark(axes: Axes, k: int, q: complex, unit: str) -> str:
     x, y = float(axes.px(q.real)), float(axes.py(q.imag))
-    said = escape(f"q = {q.real:.6g}{q.imag:+.6g}i {unit}")
-    if q.imag < 0:
-        mark, end = f'<rect class="root unstable" x="{x - 6:.1f}" y="{y - 6:.1f}" width="12" height="12">', "</rect>"
-    else:
-        mark, end = f'<circle class="root" cx="{x:.1f}" cy="{y:.1f}" r="6">', "</circle>"
-    return f'<g data-root="{k}" data-re="{q.real:.9g}" data-im="{q.imag:.9g}">{mark}<title>{said}</title>{end}</g>'
+    said = f"q = {q.real:.6g}{q.imag:+.6g}i {unit}"
+    mark = box(x - 6, y - 6, 12, 12, "root unstable", said) if q.imag < 0 else disc(x, y, 6, "root", said)
+    return f'<g data-root="{k}" data-re="{q.real:.9g}" data-im="{q.imag:.9g}">{mark}</g>'

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import tempfile
 import textwrap
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -19,6 +18,7 @@ from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import Part, Quantity, defaults, quantities
 from mpsolve.numbers.spoken import decimal
 from mpsolve.numbers.units import in_unit, split
+from mpsolve.problem import inputfile
 from mpsolve.problem.inputfile import ProblemFile, read_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.toml import parsed
@@ -232,7 +232,5 @@ def problem_of(track: str, vehicle: str | None = None) -> tuple[Problem, str]:
 
 
 def _read_preset(track: str, vehicle: str | None) -> ProblemFile:
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / f"{track}.toml"
-        path.write_text(input_file(track, vehicle), encoding="utf-8")
-        return read_problem(path)
+    name = f"{track}.toml"
+    return inputfile.problem_of(parsed(input_file(track, vehicle), name), Path(name))

@@ -35,6 +35,7 @@ _RATIO = 1.25  # of one end to the next of the cells between X and where the tai
 _ROOM = 4  # by how much balls are wider in the file than they are known
 _POWERS = (0, 1, 3)  # of 2: wavenumbers from which on short waves may be bounded
 _SHARPER = 0.5  # of a bound from a smaller wavenumber on: what makes one worth its proof
+_WORTH = 256  # times the bound far out: a larger one tells nothing, and with little damping is hard to prove
 _OMEGA = 4.0  # where the charts of the envelope meet
 
 
@@ -172,7 +173,7 @@ def _tail(scope: Scope, far: FarNumbers, Q: Fraction) -> dict[str, Any]:
     envelope, p = Fraction(2) ** (order - L * far.alpha), Fraction(2) ** -L
     fastest = scope.envelope.fastest
     bounds = {far.X / fastest * (1 - 2.0**-20): far.constant}
-    bounds |= _bounds(scope.envelope)
+    bounds |= {p: C for p, C in _bounds(scope.envelope).items() if _WORTH * far.constant > C}
     return {
         "Q": dyadic(Q),
         "gamma": [far.gamma.numerator, far.gamma.denominator],

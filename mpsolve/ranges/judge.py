@@ -47,7 +47,8 @@ class Judge:
     """Judges boxes of one family.
 
     envelope: that of the contacts, None where their passivity tells nothing. width: half of the whole; known: boxes
-    (low, high) whose only zero has been enclosed, of two variables. origin, way: of the line, see `Boxes`.
+    (low, high) whose only zero has been enclosed, of two variables. origin, way: of the line, see `Boxes`; begins:
+    the least value on it that is asked.
     """
 
     matrix: FreeMatrix
@@ -57,6 +58,7 @@ class Judge:
     known: list[tuple[Any, Any]] = field(default_factory=list)
     origin: complex = 0.0
     way: complex = 1j
+    begins: float = 0.0
 
     @cached_property
     def variables(self) -> int:
@@ -76,7 +78,7 @@ class Judge:
         kind, boxes = np.zeros(low.shape[1], np.int8), self.boxes(low, high)
         if boxes.slope is not None:
             low, high = upright(low, high)
-            kind[(high[0] < 0) | (low[0] > 2 * self.width[0] * UP)] = OUTSIDE
+            kind[(high[0] < self.begins) | (low[0] > self.begins + 2 * self.width[0] * UP)] = OUTSIDE
         kind[self._in_known(low, high)] = KNOWN
         A, G = self.matrix(boxes)
         s = scalar(A, G.good)

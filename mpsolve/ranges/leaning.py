@@ -27,7 +27,7 @@ class LeaningJudge(Judge):
         kind, axis, _ = self.judged(low, high)
         slope = np.full(len(kind), np.nan)
         rows = np.flatnonzero(kind == 0)
-        if len(rows):
+        if len(rows) and 0 < self.matrix.receptance.track.up < self.matrix.family.degree:
             slope[rows] = self._slopes(low[:, rows], high[:, rows])
         return kind, axis, slope
 

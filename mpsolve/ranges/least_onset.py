@@ -80,6 +80,7 @@ class Question:
     progress: Progress
     check: bool
     base: Any = None
+    below: Fraction = Fraction(0)  # the value at which its roots were counted
 
     def answer(self) -> Least:
         """`OpenError` where it stays open; value None where no root grows anywhere, or some from the start on."""
@@ -128,6 +129,9 @@ class Question:
                 "the least crossing that was found lies before the range, so that roots may grow from its start on"
             )
             raise OpenError(Reason("unstable", stated, {}, "give a range that begins lower"))
+        if not x > rational_ball(self.below):
+            stated = "the least onset is not proved to lie above the point at which roots were counted"
+            raise OpenError(Reason("worst", stated, {}, _NEXT))
         return self._in_units(lowest, found.where, self._proof(cover, (hole,)))
 
     def _found(self) -> Candidate | None:
@@ -205,6 +209,7 @@ class Question:
         point = [x0 + (top - x0) / 2, (y0 + y1) / 2]
         short = [Fraction(np.float32(float(t)).item()) for t in point]
         point = [s if a < s < b else t for s, t, a, b in zip(short, point, (x0, y0), (top, y1), strict=True)]
+        self.below = point[0]
         self.base = certify_problem(family.at(point), region="unstable", digits=15, check=self.check)
         if self.base.stable is None:
             raise OpenError(uncounted(self.base, "at one point"))

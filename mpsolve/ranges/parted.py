@@ -1,7 +1,7 @@
 """Ranges of velocities that hold speeds of short waves: they are proved in parts, with the speeds left out by name.
 
-At such a speed the equations lose a solution. Each part ends as near to it as can be proved; on strings on which a
-theorem tells all (`on_string`) only the speed itself is left out.
+At such a speed the equations lose a solution. Each part ends as near to it as can be proved: on strings the
+speed alone is left out where a theorem tells all (`on_string`), and from below by `last_strip`.
 """
 
 from __future__ import annotations
@@ -22,13 +22,15 @@ from mpsolve.problem.family import Interval
 from mpsolve.problem.problem import Problem
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Spent, joined_cost
+from mpsolve.ranges.last_strip import last_strip
 from mpsolve.ranges.on_string import quiet
 from mpsolve.waves.speeds import wave_speeds
 
 _PLACES = 10**6
-_SHARES = (Fraction(1, 8), Fraction(1, 16), Fraction(1, 32), Fraction(1, 64))
+_SHARES = tuple(Fraction(1, n) for n in (8, 11, 16, 22, 32, 45, 64))
 """Of the speed: how far from it a part ends; each next strip is proved by itself, as faster waves need more boxes."""
 _BOXES = 20_000  # for a strip
+_FEW = 2_000  # for the last one, up to the speed itself
 COMPLETE = "crossings complete up to q"
 """What is known where nothing bounds the frequencies at which roots cross."""
 
@@ -143,14 +145,33 @@ def _part(
         return None
     found = find({"v": ends[shares[0]]}, effort())
     sides = [below is not None, above is not None] if found.proved else []
-    for one, other in pairwise(shares):
+    closed = None
+    for one, other in pairwise((shares[0], *shares)):
         for k, wanted in enumerate(sides):
-            if wanted:
+            if wanted and one != other:
                 near = sorted((ends[one][k], ends[other][k]))
                 strip = _tried(find, (near[0], near[1]), effort())
                 sides[k] = strip is not None
                 found = found if strip is None else _adjoined(*((strip, found) if k == 0 else (found, strip)))
-    return next(iter(found.over.values())), found
+        if sides and sides[1] and closed is None and end == above.beside(-1):
+            closed = _up_to(problem, found, above, effort())
+            if closed is not None:
+                found, sides[1] = closed, False
+    begun, ended = next(iter(found.over.values()))
+    return (begun, ended if closed is None else None), found
+
+
+def _up_to(problem: Problem, found: Any, speed: _Speed, effort: Effort | None) -> Any:
+    """An answer with the rest of its range up to the speed, in which nothing crosses; None where that is open."""
+    strip = (found.over["v"][1], speed.beside(1))
+    budget = Effort(None if effort is None else effort.seconds, _FEW)
+    proof = last_strip(problem, strip, speed.ball, budget)
+    if proof is None:
+        return None
+    cost = Spent(0.0, 0.0, budget.spent)
+    over = {"v": (strip[0], max(strip[0], speed.beside(-1)))}
+    more = replace(found, over=over, crossings=(), counts=found.counts[-1:], proofs=(proof,), parts=(), cost=cost)
+    return _adjoined(found, more)
 
 
 def _tried(find: Find, strip: Interval, effort: Effort | None) -> Any:

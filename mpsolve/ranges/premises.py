@@ -19,7 +19,7 @@ from flint import fmpq, fmpq_mpoly_ctx, fmpq_poly
 from mpsolve.errors import InputError
 from mpsolve.numbers.realroots import as_fmpq, is_positive
 from mpsolve.problem.family import Family, Interval
-from mpsolve.tracks.at_rest import hurwitz_minors
+from mpsolve.tracks.hurwitz import hurwitz_minors
 from mpsolve.waves.speeds import wave_speeds
 
 _HALVINGS = 8

@@ -28,6 +28,7 @@ from mpsolve.problem.family import Family, Interval, family_of, require_ends
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Guide
 from mpsolve.ranges.judge import Judge
+from mpsolve.ranges.on_string import passive_beyond as passive_beyond_on_string
 from mpsolve.ranges.premises import require_no_wave_speed, require_stable_track
 from mpsolve.spectrum.premises import require_premises
 from mpsolve.spectrum.regions import HalfPlane
@@ -139,6 +140,9 @@ class Scope:
     def _found(self) -> float | None:
         # for one parameter and one contact boxes are few, and the least frequency would cost more than they do
         one = len(self.family.paths) == len(self.family.places) == 1
+        on_string = passive_beyond_on_string(self.family)
+        if on_string is not None:
+            return on_string
         # cells of frequencies are not halved: boxes do it where it is needed, and a checker has less to follow
         if one:
             return far(self.envelope)

@@ -59,8 +59,10 @@ class Search:
     def _judge(self) -> Judge:
         if self.edge == REAL_AXIS:
             return self.scope.judge(LeaningJudge)
-        width = (self.high - self.low) / 2
-        return LeaningJudge(self.scope.matrix, None, width, origin=self.edge.origin, way=self.edge.way)
+        width, begins = (self.high - self.low) / 2, float(self.low[0])
+        # along a slope boxes reach beyond the ends of an edge: where it goes down that may be above cuts
+        kind = Judge if self.edge.down else LeaningJudge
+        return kind(self.scope.matrix, None, width, origin=self.edge.origin, way=self.edge.way, begins=begins)
 
     def enclose(self, point: Any, half: Any) -> bool:
         """Enclose the zero near a float point; True where it was. Next to q = 0 it is first looked for there.

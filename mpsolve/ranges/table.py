@@ -9,7 +9,7 @@ from typing import Any
 
 from mpsolve.display import card
 from mpsolve.errors import InputError
-from mpsolve.numbers.model import rational, shown
+from mpsolve.numbers.model import rational, shown, whole
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.parallel.pool import run
@@ -85,8 +85,7 @@ def stability_table(
     given = as_problem(problem)
     if quantity not in QUANTITIES:
         raise InputError("quantity", f'is {quantity!r}: give "onset" or "unstable ranges"')
-    if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= _MOST_DIGITS:
-        raise InputError("digits", f"is {digits!r}: give a whole number from 1 to {_MOST_DIGITS}")
+    digits = whole(digits, "digits", 1, _MOST_DIGITS)
     asked = over if isinstance(over, Over) else _over(given, over)
     first, second = _axis(given, rows, "rows"), _axis(given, columns, "columns")
     if len({asked.path, first[0], second[0]}) < 3:

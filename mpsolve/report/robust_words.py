@@ -67,10 +67,14 @@ _MEETINGS = {
 def said_of_chart(found: Chart, asked: Asked) -> Said:
     """The report of a chart."""
     asked = asked.answered(found.over)
-    lines = _chart(found, asked)
-    if found.certificate is not None:
-        lines.append("  The certificate states the number of each cell; curves are proved without certificate.")
+    lines = [*_chart(found, asked), *_what_is_certified(found)]
     return Said("chart", found, asked, _chart_verdict(found), framed(lines, found, asked))
+
+
+def _what_is_certified(found: Chart) -> list[str]:
+    if found.certificate is not None:
+        return ["  The certificate states the number of each cell; curves are proved without certificate."]
+    return [f"  There is no certificate: {found.note}."] if found.proved and found.proofs and found.note else []
 
 
 def _chart_verdict(found: Chart) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from enum import Enum
 from typing import Any
 
@@ -10,11 +9,9 @@ from flint import arb
 
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
-from mpsolve.numbers.decimals import proved_digits, working_bits
+from mpsolve.numbers.decimals import working_bits
 from mpsolve.numbers.rootball import Symmetry
 from mpsolve.spectrum.spectrum import Root, Spectrum
-
-_PLACES = 8
 
 
 class Trend(Enum):
@@ -53,25 +50,6 @@ def vibration(root: Root, digits: int) -> Vibration:
 def vibrations(spectrum: Spectrum) -> tuple[Vibration, ...]:
     """Every root once, a pair q, −q̄ by its member with Re q > 0; by ascending frequency."""
     return tuple(vibration(root, spectrum.digits) for root in once(spectrum))
-
-
-def motion_rows(motions: tuple[Vibration, ...]) -> Iterator[tuple[str, ...]]:
-    """Rows of name, frequency, growth rate, time and trend, in eight proved digits."""
-    return (_motion(j, motion) for j, motion in enumerate(motions, 1))
-
-
-def _motion(j: int, motion: Vibration) -> tuple[str, ...]:
-    doing = {Trend.GROWS: "GROWS, doubles", Trend.DECAYS: "decays, halves", Trend.STEADY: "steady"}
-    time = "" if motion.time is None else proved_digits(motion.time, _PLACES)
-    frequency, rate = proved_digits(motion.frequency, _PLACES), proved_digits(motion.rate, _PLACES)
-    several = "" if motion.root.multiplicity == 1 else f" ({motion.root.multiplicity} roots)"
-    return f"q{j}", frequency, rate, time, doing.get(motion.trend, motion.trend.value) + several
-
-
-def in_words(row: tuple[str, ...], unit: str) -> str:
-    """What the vibration of a row does, and in which time, as "decays, halves in 2.5 s"."""
-    state, bracket, several = row[4].partition(" (")
-    return f"{state}{f' in {row[3]} {unit}' if row[3] else ''}{bracket}{several}"
 
 
 def once(spectrum: Spectrum) -> list[Root]:

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from functools import partial
 
 from mpsolve.errors import InputError
-from mpsolve.problem.schema import input_schema
 from mpsolve.schemas import certificates, motions, studies
 from mpsolve.schemas.certify import certify_schema
+from mpsolve.schemas.input import input_schema
 from mpsolve.schemas.parts import Schema
 from mpsolve.schemas.ranges import (
     OF_LIBRARY,

@@ -5,7 +5,6 @@ A file that fits is well formed, no more: only a verifier tells whether it prove
 
 from __future__ import annotations
 
-from mpsolve.problem.schema import DRAFT
 from mpsolve.schemas import parts as p
 
 _FORM = "mpsolve certificate"
@@ -28,7 +27,7 @@ def certificate_schema() -> p.Schema:
         "im": _HEX,
         "exponent": p.WHOLE,
         "radius": p.DYADIC,
-        "multiplicity": {"type": "integer", "minimum": 1},
+        "multiplicity": p.POSITIVE,
         "pair": p.YES,
     }
     region = p.table(
@@ -107,9 +106,5 @@ def zeros_certificate_schema() -> p.Schema:
         "roots": p.rows(p.table(root)),
     }
     interval: p.Schema = {"kind": {"const": "interval"}, "interval": p.rows(p.RATIONAL), "tiles": p.rows({})}
-    return {
-        "$schema": DRAFT,
-        "$id": "https://mpsolve.invalid/zeros-certificate/1",
-        "title": "Certificate of the zeros of a function",
-        "oneOf": [p.table(head | region), p.table(head | interval)],
-    }
+    kinds = {"oneOf": [p.table(head | region), p.table(head | interval)]}
+    return p.head("zeros-certificate", "Certificate of the zeros of a function") | kinds

@@ -9,7 +9,7 @@ from mpsolve.schemas import parts as p
 def certify_schema() -> p.Schema:
     """The schema of version 2 of the report; later versions add keys and change none."""
     ball, maybe = {"$ref": "#/$defs/ball"}, p.maybe({"$ref": "#/$defs/ball"})
-    root = {"re": ball, "im": ball, "multiplicity": {"type": "integer", "minimum": 1}}
+    root = {"re": ball, "im": ball, "multiplicity": p.POSITIVE}
     root |= {
         "axis": {"enum": ["none", "real", "imaginary"]},
         "trend": {"enum": ["grows", "decays", "steady", "open"]},
@@ -54,13 +54,14 @@ def certify_schema() -> p.Schema:
         ),
         "certificate": {"type": ["string", "null"]},
     }  # fmt: skip
-    return {
-        "$schema": p.DRAFT,
-        "$id": f"https://mpsolve.invalid/certify/{VERSION}",
-        "title": "Report of mpsolve certify --json",
-        **p.table(properties),
-        "$defs": _definitions(),
-    }
+    title = "Report of mpsolve certify --json"
+    return p.head("certify", title, VERSION) | p.table(properties) | {"$defs": _definitions()}
+
+
+def spectrum_parts() -> tuple[p.Schema, p.Schema]:
+    """(the definitions, the table) of a spectrum inside another answer."""
+    whole = certify_schema()
+    return whole.pop("$defs"), {key: value for key, value in whole.items() if key[0] != "$"}
 
 
 def _definitions() -> p.Schema:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from mpsolve.schemas import parts as p
-from mpsolve.schemas.certify import certify_schema
+from mpsolve.schemas.certify import spectrum_parts
 
 
 def response_schema() -> p.Schema:
@@ -93,9 +93,7 @@ def roots_schema() -> p.Schema:
 
 def page_schema() -> p.Schema:
     """Of the element `data` of a page."""
-    certify = certify_schema()
-    definitions = certify.pop("$defs")
-    spectrum = {key: value for key, value in certify.items() if not key.startswith("$")}
+    definitions, spectrum = spectrum_parts()
     status = {"enum": ["proved", "computed", "open"]}
     card = {"question": p.TEXT, "figure": p.TEXT, "sentence": p.TEXT, "status": status}
     limit = {"name": p.TEXT, "own": p.TEXT, "limit": p.TEXT, "spare": p.TEXT, "status": status}

@@ -5,17 +5,18 @@ from __future__ import annotations
 from typing import Any
 
 from mpsolve.outcome import Status
-from mpsolve.problem.schema import DRAFT as DRAFT
 
+DRAFT = "https://json-schema.org/draft/2020-12/schema"
 Schema = dict[str, Any]
 
 TEXT: Schema = {"type": "string"}
 YES: Schema = {"type": "boolean"}
 COUNT: Schema = {"type": "integer", "minimum": 0}
+POSITIVE: Schema = {"type": "integer", "minimum": 1}
 WHOLE: Schema = {"type": "integer"}
 REAL: Schema = {"type": "number"}
 SECONDS: Schema = {"type": "number", "minimum": 0}
-DIGITS: Schema = {"type": "integer", "minimum": 1}
+DIGITS = POSITIVE
 DECIMAL: Schema = {"type": "string", "pattern": r"^-?[0-9]+(\.[0-9]+)?(e[+-]?[0-9]+)?$"}
 RATIONAL: Schema = {"type": "string", "pattern": r"^-?[0-9]+(/[0-9]+)?$"}
 STATUS: Schema = {"enum": [status.value for status in Status]}
@@ -57,11 +58,14 @@ BALL: Schema = table({"decimal": TEXT, "lower": REAL, "upper": REAL, "ball": row
 EXACT: Schema = table({"exact": TEXT, "decimal": one_of(REAL, DECIMAL)})
 
 
+def head(name: str, title: str, version: int = 1) -> Schema:
+    """What a schema says of itself."""
+    return {"$schema": DRAFT, "$id": f"https://mpsolve.invalid/{name}/{version}", "title": title}
+
+
 def document(
     name: str, title: str, form: str, version: int, properties: Schema, optional: Schema | None = None
 ) -> Schema:
     """The schema of one kind of file or output, which names its own format and version."""
     own: Schema = {"format": {"const": form}, "version": {"const": version}}
-    return {"$schema": DRAFT, "$id": f"https://mpsolve.invalid/{name}/{version}", "title": title} | table(
-        own | properties, optional
-    )
+    return head(name, title, version) | table(own | properties, optional)

@@ -5,11 +5,10 @@
 
 from __future__ import annotations
 
-from mpsolve.problem.schema import DRAFT
 from mpsolve.report import range_table
 from mpsolve.report.ranges_data import FORMAT, VERSION
 from mpsolve.schemas import parts as p
-from mpsolve.schemas.certify import certify_schema
+from mpsolve.schemas.certify import spectrum_parts
 
 _CELLS = 2
 _OVER = p.by_name({"type": "array", "items": p.maybe(p.EXACT), "minItems": _CELLS})
@@ -122,15 +121,12 @@ _SHOWN_GRID = p.table({"parameter": p.TEXT, "values": p.rows(p.TEXT)})
 
 def library_schema(name: str) -> p.Schema:
     """What `to_json` of that answer gives: the answer alone, without format, version and words."""
-    head: p.Schema = {"$schema": p.DRAFT, "$id": f"https://mpsolve.invalid/{name}/1", "title": f"Answer of {name}(…)"}
-    return head | p.table(_COMMON | OF_LIBRARY[name])
+    return p.head(name, f"Answer of {name}(…)") | p.table(_COMMON | OF_LIBRARY[name])
 
 
 def ranges_schema(question: str) -> p.Schema:
     """Of one question; an answer over several default ranges has them one by one under `parts`."""
-    certify = certify_schema()
-    definitions = certify.pop("$defs")
-    spectrum = {key: value for key, value in certify.items() if not key.startswith("$")}
+    definitions, spectrum = spectrum_parts()
     keys: p.Schema = {
         "question": {"const": question},
         "title": p.TEXT,
@@ -151,12 +147,8 @@ def ranges_schema(question: str) -> p.Schema:
 
 
 def _file(name: str, title: str, properties: p.Schema, optional: p.Schema) -> p.Schema:
-    return {
-        "$schema": DRAFT,
-        "$id": f"https://mpsolve.invalid/{name}/1",
-        "title": title,
-        "description": "Of TOML, whose tables are the same as those of JSON.",
-    } | p.table(properties, optional)
+    told = {"description": "Of TOML, whose tables are the same as those of JSON."}
+    return p.head(name, title) | told | p.table(properties, optional)
 
 
 def table_file_schema() -> p.Schema:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from mpsolve.problem.schema import DRAFT, input_schema
 from mpsolve.schemas import parts as p
+from mpsolve.schemas.input import input_schema
 
 _NUMBER = p.one_of(p.REAL, p.TEXT)
 _AXIS = p.one_of(
@@ -25,7 +25,7 @@ def study_file_schema() -> p.Schema:
         "region": _REGION,
         "roots": p.YES,
         "certificates": p.YES,
-        "boxes": {"type": "integer", "minimum": 1},
+        "boxes": p.POSITIVE,
         "design": p.table(
             {"kind": {"enum": ["grid", "list", "random", "quasi-random"]}}, {"count": p.COUNT, "seed": p.COUNT}
         ),
@@ -40,13 +40,7 @@ def study_file_schema() -> p.Schema:
     definitions = {
         key: value for key, value in whole["$defs"].items() if key.startswith(("track-", "vehicle-", "load"))
     }
-    return {
-        "$schema": DRAFT,
-        "$id": "https://mpsolve.invalid/study-file/1",
-        "title": "Input of mpsolve study",
-        "oneOf": kinds,
-        "$defs": definitions,
-    }
+    return p.head("study-file", "Input of mpsolve study") | {"oneOf": kinds, "$defs": definitions}
 
 
 def study_schema() -> p.Schema:
@@ -54,7 +48,7 @@ def study_schema() -> p.Schema:
     certified = {
         "re": p.ROUND,
         "im": p.ROUND,
-        "multiplicity": {"type": "integer", "minimum": 1},
+        "multiplicity": p.POSITIVE,
         "axis": {"enum": ["none", "real", "imaginary"]},
     }
     entry = {

@@ -22,9 +22,11 @@ from mpsolve.problem.line import Line
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.near_loop import Ways, about, ways_to
 
-_FIRST, _SMALL, _SHRINK = 0.06, 2.0**-14, 4  # of the distance to what is next: radii of loops
-_SMALLEST, _SHRINK_MORE, _JOIN = 2.0**-84, 32, 2.0**-7  # the same about the point, and where ways to it begin
-_SIDES = (8, 12, 16, 24, 48, 96)
+_RATIOS = [0.06 * 4.0**-k for k in range(6)] + [2.0**-k for k in range(18, 84, 5)]
+"""Of the distance to what is next: radii of loops that are tried."""
+_SMALL = 2.0**-14  # below it floats count from the branch point
+_JOIN = 2.0**-7  # where ways to such a loop begin
+_SIDES, _FEW = (8, 12, 16, 24, 48, 96), 3
 _REAL = 1e-3  # relative, in floats
 
 
@@ -125,22 +127,20 @@ def find_loop(line: Line, paths: Paths, point: BranchPoint, effort: Effort) -> L
     """The largest loop of a ladder round the branch point; PrecisionError where none is proved."""
     sites = len(line.lower.places)
     turns, poles = (4, 4 if sites > 1 else 3) if point.multiplicity > 2 else (2, min(point.multiplicity, sites))
-    ratio = _FIRST
-    while ratio > _SMALL:
-        centre = float(np.float32(point.z))
-        loop = _turned(paths, paths.arrays, point, centre, ratio * point.room, (turns, poles), effort)
-        if loop is not None:
-            return loop
-        ratio /= _SHRINK
     near = about(paths, point.exact, point.pole)
-    while ratio > _SMALLEST:
-        loop = _turned(paths, near, point, 0.0, ratio * point.room, (turns, poles), effort)
-        if loop is not None:
-            linked = not line.height and not line.joined  # real roots may lie in the gap
+    linked = not line.height and not line.joined  # real roots may lie in the gap
+    for sides in (_SIDES[:_FEW], _SIDES[_FEW:]):  # more of them are tried where no smaller loop will do
+        for ratio in _RATIOS:
+            large = ratio > _SMALL
+            arrays, centre = (paths.arrays, float(np.float32(point.z))) if large else (near, 0.0)
+            loop = _turned(paths, arrays, point, centre, ratio * point.room, (turns, poles), sides, effort)
+            if loop is None:
+                continue
+            if large:
+                return loop
             ways = ways_to(paths, near, loop.radius, _JOIN * point.room, linked, effort)
             turn, lost = (x + y for x, y in zip(loop.half, ways.turn, strict=True))
             return replace(loop, half=(turn, (lost + 4 * U * abs(turn)) * UP), ways=ways)
-        ratio /= _SHRINK_MORE
     unit = float(line.lower.frequency_unit)
     place = f"the branch point of the cuts at Re q = {point.z * unit:.8g}"
     raise PrecisionError(
@@ -155,11 +155,12 @@ def _turned(
     centre: float,
     radius: float,
     asked: tuple[int, int],
+    numbers: tuple[int, ...],
     effort: Effort,
 ) -> Loop | None:
-    """The loop of this radius; asked: how often it goes round, and how many poles it shows."""
+    """The loop of this radius, of one of the numbers of sides; asked: how often it goes round, its poles."""
     radius, (turns, poles) = float(np.float32(radius)), asked
-    for sides in _SIDES:
+    for sides in numbers:
         points = _polygon(centre, radius, sides, turns)
         effort.spend(2 * len(points))
         ends = split(arrays.D, 1j * points[[0, sides // 2]], np.zeros(2), paths.up)

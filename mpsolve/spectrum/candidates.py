@@ -17,7 +17,10 @@ from mpsolve.frozen import frozen
 from mpsolve.problem.reduced import Reduced
 
 _STEPS = 40
+_FEW, _SHORT = 8, (14, 20, 40)  # roots; steps to so few from the best hints, from more, and from all without crowds
+_AROUND, _ON_LINE = 0.3, 1e-9  # of an area's size: how far outside points may wander, and roots may be
 _CROWD = 1e-3  # relative: hints that are closer give one start
+_ARRIVED = 1e-9  # a step relative to |q|: the next one is of the size of its square
 _SAME = 1e-7  # relative to the size of the rectangle: closer ones are taken for one root
 
 
@@ -77,12 +80,20 @@ def find_roots(
             on_the_way()
         return sum(map(weight, roots.tolist())) >= count
 
-    for level in range(-3, 5):
-        for area in areas if level > -3 else areas[:1]:
+    few = count <= _FEW
+    for level, steps in enumerate(_SHORT if few else (_STEPS,) * len(_SHORT)):
+        landed = _best(function, hints if level < 2 else _spread(hints), np.inf, len(hints))
+        for area in areas if level or few else areas[:1]:
             if all_found(found):
                 return found
-            starts = _near(function, hints, count, level) if level < 0 else _starts(function, area, level)
-            found = _newton(function, area, starts, found, all_found)
+            starts = landed[area.holds(landed, (_AROUND if level else _ON_LINE) * area.size)]
+            starts = starts[: 8 * count + 20 if level else 2 * count + 8]
+            found = _newton(function, area, starts, found, all_found, steps)
+    for level in range(5):
+        for area in areas:
+            if all_found(found):
+                return found
+            found = _newton(function, area, _starts(function, area, level), found, all_found)
     for starts in (_towards_zero, lambda _: hints):  # rare: a heavy mass; many roots, some far from the others
         for area in areas:
             if not all_found(found):
@@ -94,12 +105,6 @@ def _towards_zero(area: Area) -> Any:
     """Points in all directions, ever closer to q = 0."""
     size = area.size * np.geomspace(1e-18, 0.1, 60)
     return (size[:, None] * np.exp(1j * np.pi * np.linspace(-0.5, 0.5, 9))).ravel()
-
-
-def _near(function: Floats, hints: Any, count: int, level: int) -> Any:
-    """Starts from the hints: a few of the best, then more, then those that are left without their crowds."""
-    most = 2 * count + 8 if level < -2 else 8 * count + 20
-    return _best(function, hints if level < -1 else _spread(hints), np.inf, most)
 
 
 def search(reduced: Reduced, area: Area, hints: Any, levels: int = 2) -> Any:
@@ -155,10 +160,17 @@ def _best(function: Floats, q: Any, reach: Any, most: int) -> Any:
     return q[order] + step[order]
 
 
-def _newton(function: Floats, area: Area, q: Any, found: Any, enough: Callable[[Any], bool] = lambda _: False) -> Any:
+def _newton(
+    function: Floats,
+    area: Area,
+    q: Any,
+    found: Any,
+    enough: Callable[[Any], bool] = lambda _: False,
+    steps: int = _STEPS,
+) -> Any:
     """Roots in the area, old and new ones, until there are enough."""
-    slack = 1e-9 * area.size
-    for _ in range(_STEPS):
+    slack = _ON_LINE * area.size
+    for _ in range(steps):
         if not len(q) or enough(found):
             return found
         step = _step(function, q, found)
@@ -167,8 +179,8 @@ def _newton(function: Floats, area: Area, q: Any, found: Any, enough: Callable[[
         step = np.where(size > limit, step * (limit / np.where(size > 0, size, 1)), step)
         q = q + step
         q = np.where(q.real < 0, -q.conj(), q)
-        alive = np.isfinite(q) & area.holds(q, 0.3 * area.size)
-        arrived = alive & (np.abs(step) < 1e-11 * np.maximum(np.abs(q), 1e-20 * area.size))
+        alive = np.isfinite(q) & area.holds(q, _AROUND * area.size)
+        arrived = alive & (np.abs(step) < _ARRIVED * np.maximum(np.abs(q), 1e-20 * area.size))
         for root in q[arrived]:
             if area.holds(root, slack) and not (np.abs(found - root) < _SAME * area.size).any():
                 found = np.append(found, root)

@@ -14,7 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.discs import near_roots, split, waves
+from mpsolve.characteristic.discs import near_roots, split
+from mpsolve.characteristic.residues import waves
 from mpsolve.characteristic.table import Table
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen

@@ -17,18 +17,19 @@ from mpsolve.numbers.balls import rational_ball
 from mpsolve.numbers.rootball import RootBall, Symmetry
 from mpsolve.outcome import Reason
 from mpsolve.parallel.threads import one_thread
-from mpsolve.problem.line import Line, on_line
+from mpsolve.problem.line import Line
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.effort import Effort
-from mpsolve.spectrum.candidates import Area, Weight, both, find_roots
-from mpsolve.spectrum.count import Count, count_roots, scaled_height
+from mpsolve.spectrum.candidates import find_roots
+from mpsolve.spectrum.count import Count, count_roots
 from mpsolve.spectrum.enclose import enclose
 from mpsolve.spectrum.multiple import separate
 from mpsolve.spectrum.near_roots import near_branch_points
 from mpsolve.spectrum.partial import Partial
 from mpsolve.spectrum.reasons import reason_of, sheet_reason
-from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Region, Sheet
+from mpsolve.spectrum.regions import Answered, HalfPlane, Rectangle, Region, Sheet
 from mpsolve.spectrum.sheet import SheetCount, count_sheet
+from mpsolve.spectrum.sought import areas_of, hints_of, weight_of
 from mpsolve.spectrum.spectrum import disjoint
 
 MOST_DIGITS = 10_000
@@ -122,64 +123,11 @@ def _signed(
     return balls if all(_sign(ball) is not None for ball in balls) else None
 
 
-def _areas(reduced: Reduced, count: Count | SheetCount) -> tuple[Area, ...]:
-    """Scaled rectangles that hold the right half of all counted roots, small ones first."""
-    if isinstance(count, SheetCount):
-        return _on_sheet(count)
-    region, unit = count.region, reduced.frequency_unit
-    if isinstance(region, Rectangle):
-        ends = [abs(float(x / unit)) for x in (region.re_min, region.re_max)]
-        least = 0.0 if region.re_min < 0 < region.re_max else min(ends)
-        return (Area(least, max(ends), float(region.im_min / unit), float(region.im_max / unit)),)
-    if count.beyond is not None:
-        width, depth = count.beyond.rho, count.beyond.depth
-    else:
-        depth = float((region.radius or Fraction(0)) / unit)
-        reach = region.reach if isinstance(region, Below) else region.radius
-        width = float((reach or Fraction(0)) / unit)  # at rest there is a reach without a radius
-    areas = [Area(0.0, width, -depth, 0.0)]
-    if isinstance(region, Below):
-        areas.insert(0, Area(0.0, width, 0.0, scaled_height(reduced, region.height)))
-    return tuple(areas)
-
-
-def _on_sheet(count: SheetCount) -> tuple[Area, ...]:
-    """Both sides of the line of the cuts, in sizes that grow."""
-    h, low, high = float(count.line.height), count.far.reach if count.far is not None else count.end, count.end
-    small = max(2 * high, 1.5)
-    sizes = [small, *([4 * small, 32 * small, low] if low > 4 * small else [])]
-    below = [Area(0.0, size, h - size, h, h) for size in sizes]
-    return tuple(below[:1] + ([] if _none_above(count) else [Area(0.0, small, h, h + small, h)]) + below[1:])
-
-
-def _none_above(count: SheetCount) -> bool:
-    """Whether track and vehicle are passive on the whole half above the cuts."""
-    return count.far is not None and not count.upper.paths
-
-
-def _hints(reduced: Reduced, count: Count | SheetCount) -> Any:
-    """Points at which Δ̂ turns fast."""
-    if isinstance(count, SheetCount):
-        halves = (count.lower, count.upper)
-        rings = [loop.places for half in halves for loop in half.loops]
-        turns = [path.points for half in halves for path in half.paths if path.kind == "turn"]
-        points = np.concatenate([*turns, *rings, [count.begin + 0j]])
-        near = points[np.abs(points) < max(16.0, 4 * count.end)]
-        return np.concatenate([near] if _none_above(count) else [near, near.conj()]) + 1j * float(count.line.height)
-    points = np.concatenate([path.points for path in count.paths if path.kind == "turn"])
-    if not count.half:
-        return points
-    line = on_line(reduced)
-    height = float(line.height) if line is not None else 0.0
-    return (points.conj() if count.half == "upper" else points) + 1j * height
-
-
 def _enclosed(
     reduced: Reduced, count: Count | SheetCount, digits: int, tell: Tell, balls: list[RootBall]
 ) -> tuple[RootBall, ...]:
     """The roots; `balls` holds those that are enclosed on the way."""
-    hints = _hints(reduced, count)
-    weight = _weight(reduced, count.region)
+    hints, weight = hints_of(reduced, count), weight_of(reduced, count.region)
     proved = Proved(reduced)
     for sigma in near_branch_points(count) if isinstance(count, SheetCount) else []:
         tell("roots", 0.5)
@@ -189,7 +137,7 @@ def _enclosed(
     left = count.total - sum(ball.multiplicity for ball in balls)
     if not left:
         return tuple(balls)
-    seeds = find_roots(reduced, _areas(reduced, count), left, hints, weight, lambda: tell("roots", 0.5))
+    seeds = find_roots(reduced, areas_of(reduced, count), left, hints, weight, lambda: tell("roots", 0.5))
     for k, q in enumerate(seeds.tolist()):
         for ball in _balls(proved, 1j * q, digits):
             _add(balls, ball, count.region, proved.lossless)
@@ -200,15 +148,6 @@ def _enclosed(
         for ball in _separated(proved, 1j * q, digits):
             _add(balls, ball, count.region, proved.lossless)
     return tuple(balls)
-
-
-def _weight(reduced: Reduced, region: Answered) -> Weight:
-    """How many roots of the region a point of its right half stands for, in floats."""
-    if not isinstance(region, Rectangle):
-        return both
-    unit = float(reduced.frequency_unit)
-    low, high = float(region.re_min) / unit, float(region.re_max) / unit
-    return lambda q: sum(low < x < high for x in {q.real, -q.real}) if both(q) > 1 else 1
 
 
 def _add(balls: list[RootBall], ball: RootBall, region: Answered, lossless: bool) -> None:

@@ -12,7 +12,6 @@ from enum import Enum
 from fractions import Fraction
 from functools import lru_cache
 from math import comb
-from typing import Any
 
 from flint import arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
@@ -20,6 +19,7 @@ from mpsolve.errors import InputError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.bivariate import Rows, from_rows, to_rows
 from mpsolve.numbers.realroots import as_fmpq, end_of, is_positive, negative_point, positive_roots, samples, sign_at
+from mpsolve.tracks.hurwitz import hurwitz_minors, is_stable
 from mpsolve.tracks.waveguide import Polynomial, Track, Waveguide
 
 _ROUNDS = 7  # of four, so that the wavenumber of the lowest cut is guessed to 10⁻⁴
@@ -148,37 +148,6 @@ def shifted(D: Rows, h: Fraction) -> Rows:
 def wavenumber(y: Fraction | arb) -> float:
     """p = √y, to be shown."""
     return float((arb(as_fmpq(y)) if isinstance(y, Fraction) else y).sqrt())
-
-
-def is_stable(D: Rows) -> bool:
-    """Whether for every real p all roots s have Re s < 0, the leading coefficient being positive."""
-    return all(is_positive(minor) for minor in hurwitz_minors(D))
-
-
-def _hurwitz(coefficients: list[Any]) -> list[list[Any]]:
-    """The Hurwitz matrix of Σ c_j s^j; its leading minors are the Hurwitz determinants."""
-    n = len(coefficients) - 1
-    zero = 0 * coefficients[0]
-    index = [[n - (2 * (k + 1) - (i + 1)) for k in range(n)] for i in range(n)]
-    return [[coefficients[j] if 0 <= j <= n else zero for j in row] for row in index]
-
-
-def hurwitz_minors(coefficients: list[Any]) -> list[Any]:
-    """The Hurwitz determinants in ascending order, by elimination without fractions; it ends with one that is 0.
-
-    The coefficients of s⁰, s¹, … may be polynomials in one variable or several.
-    """
-    a, last, out = _hurwitz(coefficients), None, []
-    for k in range(len(a)):
-        out.append(a[k][k])
-        if not a[k][k]:
-            break
-        for i in range(k + 1, len(a)):
-            for j in range(k + 1, len(a)):
-                value = a[i][j] * a[k][k] - a[i][k] * a[k][j]
-                a[i][j] = value if last is None else value // last
-        last = a[k][k]
-    return out
 
 
 def _growing(D: Rows) -> Fraction | None:

@@ -13,10 +13,10 @@ from functools import lru_cache
 from flint import fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from mpsolve.frozen import frozen
-from mpsolve.numbers.bivariate import Rows, from_rows, to_rows
+from mpsolve.numbers.bivariate import to_rows
 from mpsolve.numbers.realroots import as_fmpq, negative_point, samples
 from mpsolve.tracks.at_rest import in_squares, rows_of, wavenumber
-from mpsolve.tracks.waveguide import Track, Waveguide
+from mpsolve.tracks.waveguide import Track, Waveguide, power
 
 _CONTEXT = fmpq_mpoly_ctx.get(("z", "y"), "lex")
 
@@ -34,20 +34,14 @@ class Passivity:
 def passivity(track: Track | Waveguide) -> Passivity:
     """The decision about the track at rest; InputError as for `at_rest`."""
     guide = track.waveguide
-    D, N = in_squares(guide.dispersion, "D"), in_squares(guide.numerator, "N")
     rows_of(guide)
-    (De, Do), (Ne, No) = _halves(D), _halves(N)
-    power = Ne * Do - No * De
-    if power.is_zero():
+    in_squares(guide.numerator, "N")
+    w = power(guide.dispersion, guide.numerator)
+    if not w:
         return Passivity(passive=True, lossless=True)
-    found = _negative(power)
+    found = _negative(_CONTEXT.from_dict({(j, i): as_fmpq(c) for (i, j), c in w.items()}))
     witness = None if found is None else (wavenumber(found[0]), wavenumber(found[1]))
     return Passivity(passive=found is None, lossless=False, witness=witness)
-
-
-def _halves(rows: Rows) -> list[fmpq_mpoly]:
-    """The even and the odd part of Σ row_j s^j at s = iΩ, the latter over iΩ, as polynomials in z = Ω² and y."""
-    return [from_rows([row * (-1) ** k for k, row in enumerate(rows[part::2])], _CONTEXT) for part in (0, 1)]
 
 
 def _negative(F: fmpq_mpoly) -> tuple[Fraction, Fraction] | None:
@@ -56,8 +50,8 @@ def _negative(F: fmpq_mpoly) -> tuple[Fraction, Fraction] | None:
         return None
     content, factors = F.factor_squarefree()
     odd = _CONTEXT.constant(content)
-    for factor, power in factors:
-        odd *= factor if power % 2 else 1
+    for factor, often in factors:
+        odd *= factor if often % 2 else 1
     for y in _cells(odd):
         z = negative_point(fmpq_poly([row(as_fmpq(y)) for row in to_rows(odd)]))
         if z is not None:

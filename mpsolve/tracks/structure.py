@@ -8,15 +8,15 @@ Or −Im(N conj D)/Ω itself has such coefficients.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations
-from types import SimpleNamespace
 from typing import Any
 
-from flint import fmpq_mpoly_ctx
-
 from mpsolve.numbers.model import Entries, Quantity, quantities
-from mpsolve.tracks.waveguide import Track
+from mpsolve.numbers.several import Ring, plus
+from mpsolve.tracks.waveguide import Track, cofactor, determinant, over_ring, power
 
 
 @lru_cache(maxsize=64)
@@ -28,75 +28,37 @@ def passive_by_structure(kind: type[Track]) -> bool:
     known = quantities(kind)
     if not known or any(isinstance(one, Entries) for one in known.values()):
         return False
-    context = fmpq_mpoly_ctx.get(("P", "s", *known), "lex")
-    variables = dict(zip(("P", "s", *known), context.gens(), strict=True))
-    rows = kind.equations(SimpleNamespace(**variables))
-    entries = [[(context.constant(0) + entry).to_dict() for entry in row] for row in rows]
+    ring = Ring(tuple(known), (Fraction(0),) * len(known))
+    matrix = over_ring(kind, dict(zip(known, ring.variables, strict=True)), ring)
     signed = [k for k, one in enumerate(known.values()) if not _is_nonnegative(one)]
-    powers = sorted({int(key[1]) for row in entries for entry in row for key in entry})
-    if all(_holds(entries, j, context, signed) for j in powers):
+    if all(_holds(matrix, j, signed) for j in sorted({j for row in matrix for entry in row for _, j in entry})):
         return True
-    matrix = [[_polynomial(entry, context) for entry in row] for row in entries]
-    kept = [k for k in range(len(matrix)) if k != kind.loaded]
-    minor = [[matrix[a][b] for b in kept] for a in kept]
-    return _takes(_determinant(matrix, context), _determinant(minor, context), context, signed)
+    D, N = determinant(matrix), cofactor(matrix, kind.loaded)
+    even = not any(i % 2 for i, _ in (*D, *N))
+    return even and _at_least_zero(power(D, N), signed)
 
 
 def _is_nonnegative(quantity: Quantity) -> bool:
     return any(bound is not None and bound >= 0 for bound in (quantity.above, quantity.at_least))
 
 
-def _takes(D: Any, N: Any, context: Any, signed: list[int]) -> bool:
-    """Whether w of −Im(N conj D) = Ω w(y, z), z = Ω², has coefficients ≥ 0 alone."""
-    halves = []
-    for polynomial in (N, D):
-        parts: tuple[dict[Any, Any], dict[Any, Any]] = ({}, {})
-        for raw, c in polynomial.to_dict().items():
-            key = tuple(map(int, raw))
-            if key[0] % 2:
-                return False
-            parts[key[1] % 2][(key[0] // 2, key[1] // 2, *key[2:])] = c * (-1) ** (key[0] // 2 + key[1] // 2)
-        halves.append([_polynomial(part, context) for part in parts])
-    (nr, ni), (dr, di) = halves
-    terms = (nr * di - ni * dr).to_dict()
-    return all(c >= 0 and not any(key[2 + k] for k in signed) for key, c in terms.items())
+def _at_least_zero(polynomial: Mapping[Any, Any], signed: list[int]) -> bool:
+    """Whether all coefficients are ≥ 0, and no parameter that may be negative is in them."""
+    return all(x >= 0 and not any(e[k] for k in signed) for c in polynomial.values() for e, x in c)
 
 
-def _holds(entries: Any, j: int, context: Any, signed: list[int]) -> bool:
+def _holds(matrix: Any, j: int, signed: list[int]) -> bool:
     """The condition on A_j: for odd j on its minors, for even j A_j(P) = A_j(−P)ᵀ."""
-    n = range(len(entries))
-    parts = [[{key: c for key, c in entries[a][b].items() if int(key[1]) == j} for b in n] for a in n]
-    mirrored = [[{key: c * (-1) ** int(key[0]) for key, c in parts[b][a].items()} for b in n] for a in n]
+    n = range(len(matrix))
+    parts = [[{(i, 0): c for (i, k), c in matrix[a][b].items() if k == j} for b in n] for a in n]
+    mirrored = [[{(i, 0): c * (-1) ** i for (i, _), c in parts[b][a].items()} for b in n] for a in n]
     if j % 2 == 0:
         return parts == mirrored
-    matrix = []
-    for a in n:
-        row = []
-        for b in n:
-            even = _polynomial(parts[a][b], context) + _polynomial(mirrored[a][b], context)
-            terms = {tuple(map(int, key)): c for key, c in even.to_dict().items()}
-            if any(key[0] % 2 for key in terms) or any(key[2 + k] for key in terms for k in signed):
-                return False
-            turn = (-1) ** ((j - 1) // 2)
-            in_y = {(key[0] // 2, 0, *key[2:]): c * turn * (-1) ** (key[0] // 2) for key, c in terms.items()}
-            row.append(_polynomial(in_y, context))
-        matrix.append(row)
-    return all(
-        all(c >= 0 for c in _determinant([[matrix[a][b] for b in some] for a in some], context).coeffs())
-        for size in range(1, len(matrix) + 1)
-        for some in combinations(n, size)
-    )
-
-
-def _polynomial(terms: dict[Any, Any], context: Any) -> Any:
-    return context.from_dict(terms)
-
-
-def _determinant(matrix: list[list[Any]], context: Any) -> Any:
-    if not matrix:
-        return context.constant(1)
-    total = context.constant(0)
-    for b, entry in enumerate(matrix[0]):
-        minor = [row[:b] + row[b + 1 :] for row in matrix[1:]]
-        total += (-1) ** b * entry * _determinant(minor, context)
-    return total
+    twice = [[plus(parts[a][b], mirrored[a][b]) for b in n] for a in n]
+    if any(i % 2 for row in twice for entry in row for i, _ in entry):
+        return False
+    turn = (-1) ** ((j - 1) // 2)
+    in_y = [[{(i // 2, 0): c * (turn * (-1) ** (i // 2)) for (i, _), c in x.items()} for x in row] for row in twice]
+    groups = [some for size in range(1, len(in_y) + 1) for some in combinations(n, size)]
+    minors: Any = (determinant(tuple(tuple(in_y[a][b] for b in some) for a in some)) for some in groups)
+    return all(_at_least_zero(minor, signed) for minor in minors)

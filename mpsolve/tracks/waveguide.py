@@ -17,7 +17,7 @@ from typing import Any, ClassVar
 
 from mpsolve.frozen import frozen
 from mpsolve.numbers.model import Model
-from mpsolve.numbers.several import Ring, Several, multiply, plus
+from mpsolve.numbers.several import K, Ring, Several, multiply, plus
 
 Polynomial = dict[tuple[int, int], Fraction]
 """Σ c P^i s^j as {(i, j): c} with c ≠ 0."""
@@ -137,3 +137,17 @@ def moving(a: Polynomial, velocity: Fraction) -> Polynomial:
             term = c * (comb(j, k) * (-velocity) ** k)
             out[i + k, j - k] = out[i + k, j - k] + term if (i + k, j - k) in out else term
     return {key: value for key, value in out.items() if value}
+
+
+def power(D: Mapping[K, Any], N: Mapping[K, Any]) -> dict[K, Any]:
+    """w with −Im(N conj D) = Ω w(y, z) at P = ip, s = iΩ, y = p², z = Ω², for D and N even in P."""
+    (dr, di), (nr, ni) = halves(D), halves(N)
+    return plus(multiply(nr, di), {key: -c for key, c in multiply(ni, dr).items()})
+
+
+def halves(polynomial: Mapping[K, Any]) -> tuple[dict[K, Any], dict[K, Any]]:
+    """r and i in y and z: what is even in P is r + iΩ i at P = ip, s = iΩ; further variables are left as they are."""
+    out: tuple[dict[Any, Any], dict[Any, Any]] = ({}, {})
+    for (i, j, *rest), c in polynomial.items():
+        out[j % 2][(i // 2, j // 2, *rest)] = c * (-1) ** (i // 2 + j // 2)
+    return out

@@ -32,11 +32,8 @@ _SLOW = "the truly transient part decays slowly near τ = 0; ask for later times
 
 
 @dataclass(frozen=True)
-class ProvedMotion:
-    """Balls (flint.arb) of the motion from rest, each of shape (len(xi), len(tau)), as for `Response`.
-
-    w is proved to hold steady + harmonic + transient. evaluations: how often the equations were solved.
-    """
+class CaseMotion:
+    """The motion from rest, of shape (len(xi), len(tau)) each, as for `Response`."""
 
     case: Case
     loads: tuple[Load, ...]
@@ -46,25 +43,23 @@ class ProvedMotion:
     steady: Any
     harmonic: Any
     transient: Any
+
+
+@dataclass(frozen=True)
+class ProvedMotion(CaseMotion):
+    """In balls (flint.arb): w is proved to hold steady + harmonic + transient.
+
+    evaluations: how often the equations were solved.
+    """
+
     evaluations: int
 
 
 @dataclass(frozen=True)
-class PreciseMotion:
-    """mpmath numbers for the motion from rest, shape (len(xi), len(tau)) each, as for `Response`.
+class PreciseMotion(CaseMotion):
+    """In mpmath numbers, each within 10^−digits of the truth, in units of w_st: a proved bound."""
 
-    Each is within 10^−digits of the truth, in units of the displacement of a unit force: a proved bound.
-    """
-
-    case: Case
-    loads: tuple[Load, ...]
-    xi: tuple[Exact, ...]
-    tau: tuple[Exact, ...]
     digits: int
-    w: Any
-    steady: Any
-    harmonic: Any
-    transient: Any
 
 
 def balls_of_case(
@@ -136,8 +131,8 @@ def numbers_of_case(*arguments: Any, digits: int = 15, **options: Any) -> Precis
         if not worst < limit:
             stated = f"at τ = {time.short()} the motion is known to {float(worst):.1e} only, not to {digits} decimals"
             raise PrecisionError(f"{stated}: {_SLOW}")
-    values = [np.vectorize(_middle, otypes=[object])(part) for part in parts]
-    return PreciseMotion(found.case, found.loads, found.xi, found.tau, digits, *values)
+    w, steady, harmonic, transient = (np.vectorize(_middle, otypes=[object])(part) for part in parts)
+    return PreciseMotion(found.case, found.loads, found.xi, found.tau, w, steady, harmonic, transient, digits)
 
 
 def _middle(ball: Any) -> Any:

@@ -152,7 +152,7 @@ class Engine:
         goal = self._goals(parts.total)
         largest = np.abs([parts.static, parts.forced, parts.free]).max((0, 2), initial=0.0)
         change = _SLOW * np.abs(line.change(times)).max(1, initial=0.0)
-        before = np.abs(solution.early(_BEFORE / line.omega)).max(1)
+        before = np.abs(solution.moved(_BEFORE / line.omega)).max(1)
         grown = math.exp(max(line.path.alpha * float(np.max(times, initial=0.0)), 0.0)) / np.pi
         error = line.left_open * grown + before + change + _ROUNDED / GOOD * goal + _CANCELS * largest
         worst = int(np.argmax(error / goal))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -49,12 +49,12 @@ def first_lift_off(solution: Solution, last: float) -> Event | None:
     pressed = force[static[force] > _PRESSED * np.abs(static[force]).max()]
     if not len(pressed) or last <= 0:
         return None
-    some = only(solution, pressed)
+    some = solution.only(pressed)
     noise = solution.error[pressed] + 1e-13 * static[pressed]
     above: list[float | None] = [None] * len(pressed)
     for grid in _grids(solution, last * image.rate):
         falls = []
-        for j, row in enumerate(some(grid)):
+        for j, row in enumerate(some.moved(grid) + some.held[:, None]):
             fall = first_fall(_row(some, j), grid, row, float(noise[j]), above[j])
             if fall is not None:
                 falls.append((fall.time, j, fall.off))
@@ -65,25 +65,8 @@ def first_lift_off(solution: Solution, last: float) -> Event | None:
     return None
 
 
-def _row(some: Callable[[Any], Any], j: int) -> Callable[[Any], Any]:
-    return lambda times: some(times)[j]
-
-
-def only(solution: Solution, channels: Any) -> Callable[[Any], Any]:
-    """The motion of some channels at times > 0, (channels, times), without what they do not need."""
-    line = solution.line.only(channels)
-    whole = [*solution.steady] if line.path.below else []
-    right, _ = line.path.parted(solution.modes)
-
-    def motion(times: Any) -> Any:
-        total = line.motion(times) + solution.held[channels][:, None]
-        for one in whole:
-            total = total + (one.amplitude[channels][:, None] * np.exp(1j * one.frequency * times)).real
-        for mode in right:
-            total = total + replace(mode, moments=mode.moments[:, channels]).motion(times)
-        return total
-
-    return motion
+def _row(some: Solution, j: int) -> Callable[[Any], Any]:
+    return lambda times: some.moved(times)[j] + some.held[j]
 
 
 def early_times(solution: Solution, last: float) -> Any:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -61,13 +61,21 @@ class Solution:
 
     def rates(self, times: Any) -> Any:
         """The rate of the sum at times t̂ ≥ 0, per unit of t̂, (channels, times); 0 at 0, where all is at rest."""
-        zero = np.zeros((self.image.channels, len(times)))
-        return np.where(times == 0, 0.0, self.line.rate(times) + sum((one.rate(times) for one in self.right), zero))
+        return np.where(times == 0, 0.0, sum((one.rate(times) for one in self.right), self.line.rate(times)))
 
-    def early(self, times: Any) -> Any:
-        """The sum at times < 0, which is 0 but for errors, (channels, times)."""
-        zero = np.zeros((self.image.channels, len(times)))
-        return self.line.motion(times) + sum((one.motion(times) for one in self.right), zero)
+    def moved(self, times: Any) -> Any:
+        """The motion without what is held, (channels, times); at times < 0 it is 0 but for errors."""
+        return sum((one.motion(times) for one in self.right), self.line.motion(times))
+
+    def only(self, channels: Any) -> Solution:
+        """Some of the channels, of which `moved` then tells."""
+        return replace(
+            self,
+            held=self.held[channels],
+            steady=tuple(replace(one, amplitude=one.amplitude[channels]) for one in self.steady),
+            modes=tuple(replace(mode, moments=mode.moments[:, channels]) for mode in self.modes),
+            line=self.line.only(channels),
+        )
 
     @property
     def right(self) -> list[Any]:

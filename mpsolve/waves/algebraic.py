@@ -17,6 +17,7 @@ from flint import fmpq_poly, fmpz_poly
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_poly, arb, precision
 from mpsolve.numbers.realroots import end_of
+from mpsolve.proof.ladder import climb
 
 _MOST_BITS = 1 << 14
 _STEPS = 40  # of interval Newton, each of which doubles the digits
@@ -110,19 +111,19 @@ def split(a: list[fmpq_poly], b: Sequence[fmpq_poly], m: fmpq_poly) -> tuple[lis
 
 def places(a: list[fmpq_poly], at: Algebraic, bits: int) -> list[Any]:
     """The real roots of a squarefree polynomial over the field as balls, ascending; PrecisionError if not apart."""
-    while len(a) > 1:
-        if bits > _MOST_BITS:
+    if len(a) < 2:
+        return []
+
+    def apart(bits: int) -> list[Any]:
+        try:
+            roots = isolated(embedded(a, at.ball(bits)))
+        except ValueError:
+            roots = []
+        if not roots or not all(_decided(root, roots) for root in roots):
             raise PrecisionError(f"roots over an algebraic velocity are not told apart at {_MOST_BITS} bits")
-        with precision(bits):
-            try:
-                roots = isolated(embedded(a, at.ball(bits)))
-            except ValueError:
-                roots = None
-            if roots is not None and all(_decided(root, roots) for root in roots):
-                real = [arb(root.real) for root in roots if root.imag.contains(0)]
-                return sorted(real, key=middle)
-        bits *= 2
-    return []
+        return sorted((arb(root.real) for root in roots if root.imag.contains(0)), key=middle)
+
+    return climb(apart, bits, _MOST_BITS)
 
 
 def embedded(a: Sequence[fmpq_poly], x: Any) -> Any:

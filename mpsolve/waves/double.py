@@ -13,12 +13,13 @@ from flint import fmpq_poly
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import arb, precision
+from mpsolve.proof.ladder import climb
 from mpsolve.waves.algebraic import embedded, isolated, multiple_roots, places, slope, split
 from mpsolve.waves.line import Line
 from mpsolve.waves.place import Place
 from mpsolve.waves.velocity import Kind
 
-_TRIES = 4  # doublings of the precision before a double root is sought over the field
+_DOUBLINGS = 3  # of the precision before a double root is sought over the field
 
 
 def double_roots(along: Line, place: Place, single: bool, bits: int) -> Iterator[tuple[Any, Kind]]:
@@ -35,19 +36,22 @@ def double_roots(along: Line, place: Place, single: bool, bits: int) -> Iterator
 
 def _single(along: Line, place: Place, bits: int) -> Any:
     """The one double root (y for ω = 0), known to be real, in a ball; None where precision does not show it."""
-    work = bits + 64
-    for _ in range(_TRIES):
-        with precision(work):
-            f = embedded(along.rows, place.x.ball(work))
-            try:
-                roots = isolated(f.derivative())
-            except ValueError:
-                roots = []
-            near = [root for root in roots if f(root).contains(0)]
-            if len(near) == 1 and near[0].imag.contains(0) and _fine(near[0].real, bits):
-                return arb(near[0].real)
-        work *= 2
-    return None
+
+    def real(work: int) -> Any:
+        f = embedded(along.rows, place.x.ball(work))
+        try:
+            roots = isolated(f.derivative())
+        except ValueError:
+            roots = []
+        near = [root for root in roots if f(root).contains(0)]
+        if len(near) != 1 or not near[0].imag.contains(0) or not _fine(near[0].real, bits):
+            raise PrecisionError("a double root is not told apart from others")
+        return arb(near[0].real)
+
+    try:
+        return climb(real, bits + 64, (bits + 64) << _DOUBLINGS)
+    except PrecisionError:
+        return None
 
 
 def _over_field(along: Line, place: Place, bits: int) -> Iterator[tuple[Any, Kind]]:

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, TypeVar
 
 from flint import fmpq_poly, fmpz_poly
 
 from mpsolve.errors import ContradictionError, PrecisionError
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.exact import Exact
+from mpsolve.proof.ladder import climb
 from mpsolve.waves.algebraic import Algebraic, real_roots
+
+T = TypeVar("T")
 
 _MOST_BITS = 1 << 14
 
@@ -63,13 +66,12 @@ def places_of(f: fmpq_poly, squared: bool, low: Fraction, high: Fraction, bits: 
 
 def _real(m: fmpz_poly, bits: int) -> list[tuple[int, Any]]:
     """The roots with their numbers, all but 0 told apart from 0."""
-    while bits <= _MOST_BITS * 4:
-        with precision(bits):
-            found = real_roots(m, bits)
-            if all(ball > 0 or ball < 0 or not m[0] for ball in found):
-                return list(enumerate(found))
-        bits *= 2
-    raise ContradictionError("a root that is not 0 is not told apart from 0: please report this as a fault")
+
+    def apart(bits: int) -> list[tuple[int, Any]] | None:
+        found = real_roots(m, bits)
+        return list(enumerate(found)) if all(ball > 0 or ball < 0 or not m[0] for ball in found) else None
+
+    return _told(apart, bits, "a root that is not 0 is not told apart from 0")
 
 
 def _inside(w: Algebraic, low: Fraction, high: Fraction, bits: int) -> bool:
@@ -77,15 +79,27 @@ def _inside(w: Algebraic, low: Fraction, high: Fraction, bits: int) -> bool:
     if w.m.degree() == 1:
         exact = -Fraction(int(w.m[0]), int(w.m[1]))
         return low**2 <= exact <= high**2
-    while bits <= _MOST_BITS * 4:
-        with precision(bits):
-            ball, least, most = w.ball(bits), rational_ball(low**2), rational_ball(high**2)
-            if least < ball < most:
-                return True
-            if ball < least or most < ball:
-                return False
-        bits *= 2
-    raise ContradictionError("an irrational velocity is not told apart from an end: please report this as a fault")
+
+    def between(bits: int) -> bool | None:
+        ball, least, most = w.ball(bits), rational_ball(low**2), rational_ball(high**2)
+        return True if least < ball < most else False if ball < least or most < ball else None
+
+    return _told(between, bits, "an irrational velocity is not told apart from an end")
+
+
+def _told(attempt: Callable[[int], T | None], bits: int, fault: str) -> T:
+    """What is told with so many bits, or more; the fault is that nothing is."""
+
+    def tried(bits: int) -> T:
+        found = attempt(bits)
+        if found is None:
+            raise PrecisionError(fault)
+        return found
+
+    try:
+        return climb(tried, bits, _MOST_BITS * 4)
+    except PrecisionError as error:
+        raise ContradictionError(f"{error}: please report this as a fault") from None
 
 
 def _in_squares(f: fmpq_poly) -> fmpq_poly:
@@ -102,17 +116,13 @@ def _square_root(w: Algebraic) -> Algebraic:
     spread = [0] * (2 * w.m.degree() + 1)
     spread[::2] = [int(c) for c in w.m.coeffs()]
     _, factors = fmpz_poly(spread).factor()
-    bits = 64
-    while bits <= _MOST_BITS:
-        with precision(bits):
-            root = w.ball(bits).sqrt()
-            near = [
-                Algebraic(m, k)
-                for m, _ in factors
-                for k, ball in enumerate(real_roots(m, bits))
-                if ball.overlaps(root)
-            ]
-        if len(near) == 1:
-            return near[0]
-        bits *= 2
-    raise PrecisionError("the square root of an algebraic number is not told apart from others")
+
+    def only(bits: int) -> Algebraic:
+        root = w.ball(bits).sqrt()
+        each = ((m, k, ball) for m, _ in factors for k, ball in enumerate(real_roots(m, bits)))
+        near = [Algebraic(m, k) for m, k, ball in each if ball.overlaps(root)]
+        if len(near) != 1:
+            raise PrecisionError("the square root of an algebraic number is not told apart from others")
+        return near[0]
+
+    return climb(only, 64, _MOST_BITS)

@@ -480,6 +480,44 @@ def test_kernels_hold_the_integral(track, velocity, q):
         assert abs(truth - complex(ball)) < 2e-3 * max(abs(complex(b)) for b in thin)
 
 
+@pytest.mark.parametrize(("track", "velocity", "q"), [(LAYERS, 600, 300 - 40j), (PAPER, "1/2", 0.7 - 0.2j)])
+def test_neighbouring_discs_are_linked_by_the_pair_at_their_common_point(track, velocity, q):
+    """a_k = U(z_k)/U₀'(z_k) of float p-roots lies in its ball; a pair with two p-roots exchanged is not linked."""
+    t, r, linked = v2.read_track(track, str(velocity)), abs(q) * 4e-2, 0
+    columns = [
+        sum(float(arb(c)) * (1j * q + 1j * r) ** j for (i, j), c in t.d.items() if i == n)
+        for n in range(t.degree + 1)
+    ]
+    roots = np.roots(columns[::-1])
+    with v2.precision(64):
+        waves = v2.Waves(t, [{}])
+
+        def over(m):
+            return waves.near(v2.Place.disc(acb(m), arb(r * (1 + 2**-12))))
+
+        one, common = v2.nodes_near(over(1j * q)).split(), acb(1j * q + 1j * r)
+        two = v2.split_near(over(1j * q + 2j * r), one.near(common))
+        for split in (one, two):
+            z, up = np.array([complex(x) for x in split.nodes.z]), split.nodes.up
+            for k, (a, tight) in enumerate(zip(split.pair(common), split.tight, strict=True)):
+                side, own = (roots.real < 0, z[:up]) if k < up else (roots.real > 0, z[up:])
+                true = np.prod(z[k] - roots[side]) / np.prod([z[k] - x for x in own if x != z[k]])
+                assert abs(true - complex(a)) <= 2 * float(a.rad()) + 1e-9 * abs(z[k])
+                assert a.rad() < 0.3 * tight
+        assert two.links(one, common)
+        z, up = list(two.nodes.z), two.nodes.up
+        for i, k in itertools.product(range(up), range(up, len(z))):
+            other = [*z]
+            other[i], other[k] = z[k], z[i]
+            try:
+                wrong = v2.Nodes(other, up, two.nodes.local).split()
+            except v2.Refused:
+                continue
+            assert not wrong.links(one, common)
+            linked += 1
+    assert linked > 1
+
+
 def test_p_roots_of_one_side_that_meet_are_refused():
     """On the imaginary axis two p-roots of one side of a string meet: no residue is known over a disc there."""
     t = v2.read_track(WIRE, "200")

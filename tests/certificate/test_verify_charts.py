@@ -183,7 +183,7 @@ def test_a_changed_chart_is_refused(change: Change) -> None:
     changed = copy.deepcopy(CONTENT)
     change(changed)
     assert changed != CONTENT
-    verdict = verify_bytes(sealed(changed), 1500)
+    verdict = verify_bytes(sealed(changed), 150)
     assert not verdict.valid
     assert not verdict.reason.startswith("malformed"), verdict.reason
 

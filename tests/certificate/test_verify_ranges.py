@@ -413,27 +413,32 @@ def test_a_radius_holds_what_it_must() -> None:
         assert checker.radius_of(arb("0.3"), square) is None
 
 
-def test_where_p_roots_of_one_side_meet(content: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("slope", [fmpq(0), fmpq(5, 2), fmpq(6)])
+def test_where_p_roots_of_one_side_meet(
+    content: dict[str, Any], monkeypatch: pytest.MonkeyPatch, slope: fmpq
+) -> None:
     """Their sum is bounded over a box round the point, and holds what numpy finds beside it; the box is proved."""
     family, used = family_of(content, 30, 40), []
     points = checker.on_points
     monkeypatch.setattr(checker, "on_points", lambda *some: used.append(1) or points(*some))
     half = (0.002, 0.001)
     with precision(64):
-        middle = [arb(m) + arb(r) / 3 for m, r in zip(MEETING, half, strict=True)]
-        split = split_over(family.waves, place_over(middle, [arb(r) for r in half]), False)
+        at_ = (MEETING[0] - float(arb(slope)) * MEETING[1], MEETING[1])
+        box = [(fmpq(int((m - 2 * r / 3) * 10**9), 10**9), fmpq(int((m + 4 * r / 3) * 10**9), 10**9))
+               for m, r in zip(at_, half, strict=True)]  # fmt: skip
+        split = split_over(family.waves, checker.place_of((box[0], box[1]), slope), False)
         forms = receptances(family.waves, split)
         assert used
         for n, gap in enumerate(family.waves.gaps):
             xi = float(gap.get((0,), 0))
             for u in ((1, 1), (-1, 1), (0.3, -0.7)):
-                q, v = (float(m) + x * r for m, x, r in zip(middle, u, half, strict=True))
-                away = abs(_model(forms, u, n) - acb(floats_of(q, v, xi)))
+                t, v = (float(arb((a + b) / 2)) + x * r for (a, b), x, r in zip(box, u, half, strict=True))
+                away = abs(_model(forms, u, n) - acb(floats_of(t + float(arb(slope)) * v, v, xi)))
                 assert not away > forms.e[n] + abs(forms.k[0][n]) * 1e-9
                 assert away + forms.e[n] < 1e-2 * abs(forms.k[0][n])
         ends = [(fmpq(int((m - 8 * r) * 10**6), 10**6), fmpq(int((m + 8 * r) * 10**6), 10**6))
-                for m, r in zip(MEETING, half, strict=True)]  # fmt: skip
-        family.prove("n", (ends[0], ends[1]))
+                for m, r in zip(at_, half, strict=True)]  # fmt: skip
+        family.prove("n", (ends[0], ends[1]), slope)
 
 
 def test_a_circle_through_other_nodes_bounds_nothing(family: checker.Family, monkeypatch: pytest.MonkeyPatch) -> None:

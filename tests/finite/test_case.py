@@ -9,7 +9,7 @@ import pytest
 from track_models import DAMPED
 
 from mpsolve import InputError, Load, Problem, vehicles
-from mpsolve.finite.case import Answer, Case, hermite
+from mpsolve.finite.case import Case
 
 PROBLEM = Problem(DAMPED["two-layer"], [vehicles.Mass(900), vehicles.Mass(900).at(3)], v=10)
 
@@ -37,15 +37,6 @@ def test_times_at_equal_distances_are_ends_of_steps() -> None:
     assert _case(times=times[2:]).first_steps == 25
     assert _case(times=[0.1 / np.pi, 0.1]).first_steps == 16
     assert off(7.5e-4) > 4 * off(0)
-
-
-def test_the_first_fall_of_a_force() -> None:
-    """Samples that are hardly above 0 do not hide it, and a contact that nothing has pressed yet does not fall."""
-    nothing = np.zeros((2, 5))
-    forces = np.array([[-1, 0, 3e-8, -1, 0], [0, 1, 1e-8, -1e-8, 0]])
-    answer = Answer(nothing, nothing, nothing, np.arange(5.0), forces)
-    assert answer.first_fall() == (2.5, 2)
-    assert Answer(nothing, nothing, nothing, np.arange(5.0), np.abs(forces) + 1).first_fall() is None
 
 
 @pytest.mark.parametrize(
@@ -78,9 +69,3 @@ def test_few_times_are_watched_with_some_before_the_last() -> None:
     assert case.watched[case.asked] == pytest.approx(case.times)
     assert len(case.watched) == 11
     assert np.array_equal(_case(times=np.linspace(0, 1, 16)).watched, np.linspace(0, 1, 16))
-
-
-def test_cubics_are_kept_as_they_are():
-    nodes, times = np.array([0.0, 0.5, 2.0]), np.linspace(0, 2, 9)
-    cubic, slope = (lambda t: t**3 - 2 * t + 1), (lambda t: 3 * t**2 - 2)
-    assert hermite(nodes, cubic(nodes)[None], slope(nodes)[None], times)[0] == pytest.approx(cubic(times), abs=1e-14)

@@ -62,3 +62,21 @@ def test_boxes_of_fast_waves_are_halved_along_the_velocity() -> None:
     found = border_of(region.scope, region.sides[1:], 15, Effort(evaluations=4000), silent)
     assert found.reason is None
     assert found.passings == ()
+
+
+def test_a_root_that_comes_in_at_the_side_is_met() -> None:
+    """With a reach so short that a root passes it, between two velocities at which it is counted."""
+    scope = scope_of(PROBLEM, {"v": (Fraction("0.8"), Fraction("0.9"))})
+    short = Region(scope, Fraction("0.04"), Fraction("0.125"))
+    found = border_of(scope, short.sides[1:], 15, Effort(), silent)
+    assert found.reason is None
+    (one,) = found.passings
+    assert 0.012 < float(one.q.imag.mid()) < 0.021
+    inside = [
+        sum(0 < complex(root.q).real < 0.125 for root in certify(PROBLEM.changed("v", v), check=False).roots)
+        for v in ("0.8", "0.9")
+    ]
+    assert inside == [0, 1]
+    (cover,) = found.covers
+    assert not cover.tree.low[-1].any()  # nothing along a slope, which would reach above the region
+    assert 0.8 < float(one.x.mid()) * float(scope.family.units[0]) < 0.9

@@ -10,6 +10,7 @@ import pytest
 from mpsolve import Case, certify, crossings
 from mpsolve.characteristic.boxes import Boxes
 from mpsolve.numbers.quadratic import pairs
+from mpsolve.outcome import Status
 from mpsolve.problem.cases import as_problem
 from mpsolve.progress import silent
 from mpsolve.proof.effort import Effort
@@ -82,3 +83,11 @@ def test_little_damping_is_decided_and_the_counts_are_those_of_points(eta_b: str
     assert all(a < float(one.value) < b for one, a, b in zip(found.crossings, ends, ends[1:], strict=False))
     for at, number in ((0.95, 0), (1.5, 2)):
         assert certify(pair(at, eta_b), region="unstable", check=False).unstable == number
+
+
+@pytest.mark.parametrize(("eta_b", "low", "high"), [("0.001", "1.02", "1.06"), ("0.0001", "1.02", "1.03")])
+def test_the_answer_has_a_certificate_that_holds(eta_b: str, low: str, high: str) -> None:
+    """A bound of what short waves give that begins too low tells nothing, and is left out of it."""
+    found = crossings(pair(eta_b=eta_b), over={"alpha": (low, high)})
+    assert (found.status, found.counts) == (Status.PROVED, (0, 2)), found.note
+    assert "s" in found.certificate.content["tree"]

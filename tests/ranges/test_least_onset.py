@@ -36,6 +36,19 @@ def test_a_crossing_that_floats_miss_leaves_it_open(monkeypatch: pytest.MonkeyPa
         question().answer()
 
 
+def test_roots_are_counted_below_the_least_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As if they were counted at the greatest mass."""
+    counted = Question._require_stable
+
+    def at_the_end(self: Question, found: Any) -> None:
+        counted(self, found)
+        self.below = self.scope.family.box[0][1]
+
+    monkeypatch.setattr(Question, "_require_stable", at_the_end)
+    with pytest.raises(OpenError, match="counted"):
+        question().answer()
+
+
 def test_a_higher_crossing_is_not_called_the_least(monkeypatch: pytest.MonkeyPatch) -> None:
     """As if it were sought beside the lowest place only: the tree finds that there are lower ones."""
     lowest = least_onset.lowest_near

@@ -15,7 +15,7 @@ from mpsolve.ranges.boundary import Boundary
 from mpsolve.ranges.chart import Chart
 from mpsolve.ranges.meeting import Meeting
 from mpsolve.ranges.parts import Part
-from mpsolve.report.robust_words import _chart, _chart_verdict
+from mpsolve.report.robust_words import _chart, _chart_verdict, _what_is_certified
 
 
 def chart(traced: bool) -> Chart:
@@ -46,6 +46,13 @@ def test_each_region_and_each_curve_has_a_line() -> None:
     assert said.count("a boundary, proved through 3 points") == 2
     assert "divergence); it could not be followed further" in said
     assert said.endswith("strips round the boundaries: 25 % of the chart")
+
+
+def test_why_there_is_no_certificate_is_told() -> None:
+    found = replace(chart(True), note="a checker would take too long", proofs=(None,))
+    assert _what_is_certified(found) == ["  There is no certificate: a checker would take too long."]
+    assert _what_is_certified(chart(True)) == []
+    assert "of each cell" in _what_is_certified(replace(found, certificate=object()))[0]
 
 
 def test_each_point_where_curves_meet_has_a_line() -> None:

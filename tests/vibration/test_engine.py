@@ -35,7 +35,7 @@ def test_a_root_that_is_kept_back_is_noticed() -> None:
 def test_before_the_loads_come_nothing_moves() -> None:
     whole = Engine(IMAGE, ACTING, (), searched(PROBLEM)).solve(TIMES)
     size = np.abs(whole.parts(TIMES[1:]).total).max(1)
-    assert (np.abs(whole.early(np.array([-50.0, -200.0]))) <= 1e-8 * size[:, None] + whole.error[:, None]).all()
+    assert (np.abs(whole.moved(np.array([-50.0, -200.0]))) <= 1e-8 * size[:, None] + whole.error[:, None]).all()
 
 
 def test_the_parts_do_not_hang_on_where_the_line_runs() -> None:

@@ -14,7 +14,7 @@ from mpsolve.errors import InputError
 from mpsolve.numbers.model import quantities
 from mpsolve.presets.written import input_file, names
 from mpsolve.problem.inputfile import read_problem
-from mpsolve.problem.schema import input_schema
+from mpsolve.schemas.input import input_schema
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SCHEMA = input_schema()

@@ -1,4 +1,4 @@
-"""The command about one problem as a whole: report."""
+"""The commands that make a page: report writes one, explore serves one."""
 
 from __future__ import annotations
 
@@ -73,3 +73,29 @@ def report(file: Path, output: Path | None, pdf: Path | None, digits: int, effor
             save_pdf(parts, source.path.stem, pdf)
     click.echo("\n".join([on_command_line(parts.verdict), str(path), *([] if pdf is None else [str(pdf)])]))
     sys.exit(0 if parts.spectrum.proved else UNDECIDED)
+
+
+@command()
+@click.argument("file", required=False, type=PATH)
+@click.option(
+    "--port", type=click.IntRange(1, 65535), default=8080, show_default=True, help="Port of the page on this machine."
+)
+@click.option("--browser/--no-browser", default=True, show_default=True, help="Open the page in a browser.")
+def explore(file: Path | None, port: int, browser: bool) -> None:
+    """Open a page on this machine on which the problem in FILE is changed, looked at and proved.
+
+    Without FILE it begins with a preset. Nothing leaves the machine. Ctrl-C ends it. Needs the extra `explore`.
+
+    Exit status 0: ended. 2: the file cannot be used, or the extra is missing.
+    """
+    try:
+        from mpsolve.explorer.page import serve
+    except ModuleNotFoundError as error:
+        if error.name != "nicegui":
+            raise
+        raise InputError("explore", "needs NiceGUI, which is not installed: pip install 'mpsolve[explore]'") from None
+    from mpsolve.presets.written import begun
+
+    problem, title = begun(file)
+    click.echo(f"http://127.0.0.1:{port}  (Ctrl-C ends it)")
+    serve(problem, title, port, browser)
