@@ -28,6 +28,7 @@ NONZERO, PASSIVE, KNOWN, OUTSIDE, ABSORBING = 1, 2, 3, 4, 6
 _SHARES = 2.0 ** -np.arange(0.0, 21.0, 1.5)  # of the size of a box round a zero that are tried, side by side
 _SMALL = 2.0**-6  # of the whole: boxes in which zeros are looked for in any case
 _TRIED = 8  # of a batch
+_CELLS = 7  # on each side of a wave: few, as a verifier's forms are wider than those of the cells here
 _AROUND = 1.2  # of half a box: how far off its middle a zero is taken for one of the box
 Found = Callable[[Any, Any], bool]
 """What is done about a point (q̂, x̂) where the determinant seems to vanish, and half the box that shows it: True where
@@ -118,7 +119,7 @@ class Judge:
         own = np.concatenate([self.felt, self.felt])
         _, first, which = np.unique(np.where(own[:, None], sides, 0), axis=1, return_index=True, return_inverse=True)
         a, b = np.split(sides[:, first].T, 2, axis=1)
-        return rest[passive_on(envelope, a, b)[which.ravel()]]
+        return rest[passive_on(envelope, a, b, _CELLS)[which.ravel()]]
 
     def _in_known(self, low: Any, high: Any) -> Any:
         inside = np.zeros(low.shape[1], bool)
