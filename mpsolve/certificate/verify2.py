@@ -1186,6 +1186,7 @@ def p_roots(local: Local) -> list[Any]:
     D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
     size = abs(D[0] / D[local.degree]) ** arb(fmpq(1, local.degree))
     try:
+        D.roots(maxprec=2000)  # where two are one that is told before the digits cost much
         found = D.roots(tol=size * arb(2) ** (-flint.ctx.prec // 2), maxprec=2 * flint.ctx.prec + 1000)
     except ValueError:
         raise Refused("p-roots meet in the middle of a piece") from None
