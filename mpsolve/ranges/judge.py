@@ -28,6 +28,7 @@ NONZERO, PASSIVE, KNOWN, OUTSIDE, ABSORBING = 1, 2, 3, 4, 6
 _SHARES = 2.0 ** -np.arange(0.0, 21.0, 1.5)  # of the size of a box round a zero that are tried, side by side
 _SMALL = 2.0**-6  # of the whole: boxes in which zeros are looked for in any case
 _TRIED = 8  # of a batch
+_CELLS = 7  # on each side of a wave: few, as a verifier's forms are wider than those of the cells here
 _AROUND = 1.2  # of half a box: how far off its middle a zero is taken for one of the box
 Found = Callable[[Any, Any], bool]
 """What is done about a point (q̂, x̂) where the determinant seems to vanish, and half the box that shows it: True where
@@ -82,8 +83,10 @@ class Judge:
         A, G = self.matrix(boxes)
         s = scalar(A, G.good)
         verdict = nonzero(s.s)
-        rest = np.flatnonzero((kind == 0) & self._may_be_passive(boxes, low) & G.good & _seems_passive(G))
-        kind[rest[positive_definite(*G.take(rest).absorbed)]] = ABSORBING
+        rest = np.flatnonzero((kind == 0) & self._may_be_passive(boxes, low) & G.good)
+        if len(rest):
+            rest = rest[_seems_passive(G.take(rest))]
+            kind[rest[positive_definite(*G.take(rest).absorbed)]] = ABSORBING
         kind[(kind == 0) & s.good & verdict.nonzero] = NONZERO
         if self.envelope is not None:
             kind[self._passive(self.envelope, boxes, G, low, high, kind)] = PASSIVE
@@ -116,7 +119,7 @@ class Judge:
         own = np.concatenate([self.felt, self.felt])
         _, first, which = np.unique(np.where(own[:, None], sides, 0), axis=1, return_index=True, return_inverse=True)
         a, b = np.split(sides[:, first].T, 2, axis=1)
-        return rest[passive_on(envelope, a, b)[which.ravel()]]
+        return rest[passive_on(envelope, a, b, _CELLS)[which.ravel()]]
 
     def _in_known(self, low: Any, high: Any) -> Any:
         inside = np.zeros(low.shape[1], bool)
