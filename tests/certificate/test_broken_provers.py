@@ -36,6 +36,8 @@ def clear() -> None:
         for value in list(vars(module).values()):
             if hasattr(value, "cache_clear"):
                 value.cache_clear()
+        if "forget" in vars(module):
+            module.forget()
 
 
 def ours() -> list[Any]:

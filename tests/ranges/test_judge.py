@@ -48,6 +48,7 @@ def test_small_boxes_elsewhere_are_decided(crossing: np.ndarray) -> None:
     kind, _ = scope.judge()(at - 1e-6, at + 1e-6)
     assert set(kind.tolist()) <= {NONZERO, PASSIVE, ABSORBING}
     assert NONZERO in kind
+    assert ABSORBING in kind
 
 
 def test_known_boxes_are_known(crossing: np.ndarray) -> None:
