@@ -1326,8 +1326,8 @@ class Origin:
             E, sizes = local.about(z, local.D)
             sizes[:2] = E[0].size, E[1].spread
             found = []
-            for one, slope, *row in zip(z, E[1].sizes(0), *sizes, strict=True):
-                e = alone(row, slope)
+            for one, slope, *row in zip(z, E[1].k[0], *sizes, strict=True):
+                e = alone(row, slope.abs_lower())
                 require(abs(one.real) > e, "a p-root may be real next to q = 0")
                 found.append((kind, int(one.real > 0), one, e))
             apart = all(abs(x[2] - y[2]) > x[3] + y[3] for x, y in combinations(found, 2))
@@ -1374,8 +1374,8 @@ class Origin:
 
 
 def alone(sizes: Sequence[Any], slope: Any) -> Any:
-    """A radius e: exactly one |u| < e solves Σ E_i u^i = 0 where |E_i| ≤ sizes_i, but E_1 = slope + (at most its
-    size); by Rouché."""
+    """A radius e: exactly one |u| < e solves Σ E_i u^i = 0 where |E_i| ≤ sizes_i, but E_1 is, to within its size,
+    a number of modulus ≥ slope; by Rouché."""
     require(slope > 0, "p-roots meet next to q = 0")
     e = (sizes[0] / slope * 1.5 + arb(2) ** (-4 * flint.ctx.prec)).upper()
     for _ in range(12):

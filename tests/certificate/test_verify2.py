@@ -876,6 +876,21 @@ def test_kernels_next_to_zero_are_sums_of_residues(k, low):
                 assert float(rest) < 0.2 * (1 + abs(complex(a)))
 
 
+@pytest.mark.parametrize("b", [0.01, 0.1, 0.3, 0.7])
+def test_discs_next_to_zero_hold_the_roots_of_all_that_a_ball_holds(b):
+    t = {(2, 0): fmpq(1), (0, 2): fmpq(-1), (4, 0): fmpq(-1, 100)}
+    origin = v2.Origin(v2.Waves(SimpleNamespace(d=t, n={(0, 1): fmpq(1)}, degree=4), [{}]))
+    origin.kinds[0][0][0].matrix[1, 0] = acb(arb(0, b))  # ζ² + (0 ± b)ζ − 1 for σ = 0
+    try:
+        discs = [(complex(z), float(e)) for kind, _, z, e in origin.roots(arb(2.0**-60)) if not kind]
+    except v2.Refused:
+        assert b > 0.5
+        return
+    for c in (-b, 0, b):
+        for root in np.roots([1, c, -1]):
+            assert any(abs(root - z) <= e for z, e in discs)
+
+
 def test_a_pair_with_two_roots_exchanged_does_not_join_on_to_zero():
     tried = 0
     for waves, origin, r, discs in ice_like(2, 2):

@@ -427,6 +427,20 @@ def test_one_side_alone_gives_the_receptance_at_a_place(family: checker.Family) 
         assert used == [[0, 1]]
 
 
+def test_roots_alone_are_those_of_all_that_a_ball_holds() -> None:
+    b, one = 0.1, {(0,): fmpq(1)}
+    d = checker.Sums.of([{(0,): fmpq(-1)}, {}, one])
+    d.matrix[1, 0] = acb(arb(0, b))  # P² + (0 ± b)P − 1
+    with precision(64):
+        local = checker.spectra.Local(Place([acb(0)], [arb(2.0**-60)], 2), d, checker.Sums.of([one]))
+        found = checker.alone(checker.spectra.Nodes([acb(-1), acb(1)], 1, local), range(2), True)
+        assert found is not None
+        for c in (-b, b):
+            roots = sorted(np.roots([1, c, -1]))
+            for form, true in zip(found, (roots, [1 / (2 * x + c) for x in roots]), strict=True):
+                assert not any(abs(k - x) > e for x, k, e in zip(true, form.k[0], form.e, strict=True))
+
+
 def test_no_root_is_alone_where_two_meet(content: dict[str, Any]) -> None:
     family = family_of(content, 30, 40)
     with precision(64):
