@@ -42,6 +42,10 @@ RESULTS: dict[str, Callable[[bool], Any]] = {
     "onset_d1.0_eta70": lambda check: onset(equal(70, "1"), over={"v": (0, 2)}, check=check),
     "onset_d1.5_eta70": lambda check: onset(equal(70, "1.5"), over={"v": (0, 2)}, digits=100, check=check),
     "onset_single_mass_eta70": lambda check: onset(equal(70, None), over={"v": (0, 2)}, check=check),
+    # the only crossing next to where the cuts join, with hardly any damping: its boxes lie along a curve
+    "nearly_undamped_d1.5": lambda check: crossings(
+        equal(70, "1.5", eta_b="0.0001"), over={"alpha": ("1.02", "1.03")}, check=check
+    ),
     # a stable window between two unstable ranges
     "windows_d1.5_eta50": lambda check: unstable_ranges(equal(50, "1.5"), over={"v": (0, 1)}, check=check),
 }

@@ -57,15 +57,15 @@ if TYPE_CHECKING:
     from mpsolve.ranges.crossed import Crossings as Crossings
     from mpsolve.ranges.crossings import crossings as crossings
     from mpsolve.ranges.onset import Onset as Onset
-    from mpsolve.ranges.onset import Unstable as Unstable
-    from mpsolve.ranges.onset import UnstableRanges as UnstableRanges
     from mpsolve.ranges.onset import onset as onset
-    from mpsolve.ranges.onset import unstable_ranges as unstable_ranges
-    from mpsolve.ranges.robust import Robust as Robust
+    from mpsolve.ranges.robustness import Robust as Robust
     from mpsolve.ranges.sensitivity import Sensitivity as Sensitivity
     from mpsolve.ranges.sensitivity import sensitivity as sensitivity
     from mpsolve.ranges.table import Table as Table
     from mpsolve.ranges.table import stability_table as stability_table
+    from mpsolve.ranges.unstable import Unstable as Unstable
+    from mpsolve.ranges.unstable import UnstableRanges as UnstableRanges
+    from mpsolve.ranges.unstable import unstable_ranges as unstable_ranges
     from mpsolve.ranges.worst import Worst as Worst
     from mpsolve.ranges.worst import worst as worst
     from mpsolve.spectrum.spectrum import Root as Root
@@ -132,7 +132,8 @@ _NAMES = {
     "endless.infinite_train": "infinite_train InfiniteTrain",
     "endless.velocities": "train_velocities TrainVelocities",
     "endless.amplification": "amplification Amplification",
-    "ranges.onset": "onset unstable_ranges Onset Unstable UnstableRanges",
+    "ranges.onset": "onset Onset",
+    "ranges.unstable": "unstable_ranges Unstable UnstableRanges",
     "ranges.worst": "worst Worst",
     "ranges.crossings": "crossings",
     "ranges.crossed": "Crossings Crossing",
@@ -143,7 +144,7 @@ _NAMES = {
     "loci.lines": "frequency_lines",
     "loci.answer": "FrequencyLines FrequencyLine LineEnd",
     "ranges.chart": "stability_chart Chart",
-    "ranges.robust": "Robust",
+    "ranges.robustness": "Robust",
     "ranges.table": "stability_table Table",
     "vehicles.load": "Load",
     "vibration.response": "response",

@@ -81,7 +81,7 @@ def onset(everything: bool, worsts: tuple[str, ...], digits: int, effort: str | 
 
     def answer(question: Asked, tell: Progress | None) -> Said:
         from mpsolve.ranges.onset import onset as prove
-        from mpsolve.ranges.onset import unstable_ranges
+        from mpsolve.ranges.unstable import unstable_ranges
         from mpsolve.report import ranges_words as words
 
         options = _work(effort, tell, digits=digits)

@@ -146,11 +146,11 @@ CHARACTERISTIC = [
 ]
 PASSIVITY = [
     Mutation(
-        "what is absorbed: a product has the other sign",
-        "passivity.absorption",
-        "Absorption.of",
-        "power(guide.D_rest, guide.N_rest)",
-        "plus(*map(multiply, halves(guide.N_rest), halves(guide.D_rest)[::-1]))",
+        "what is absorbed: one product is taken for the other",
+        "tracks.waveguide",
+        "power",
+        "multiply(nr, di)",
+        "multiply(ni, dr)",
         "layers",
     ),
     Mutation("the envelope is ten times too low", "passivity.tail", "_envelope", "known * UP", "known * UP / 10"),

@@ -16,7 +16,8 @@ from vehicle_models import TYPICAL
 from mpsolve import Effort, Problem, frequencies, vehicles
 from mpsolve.batch.count import MAX_STEP
 from mpsolve.ranges.crossings import crossings
-from mpsolve.ranges.onset import Kind, onset, unstable_ranges
+from mpsolve.ranges.onset import Kind, onset
+from mpsolve.ranges.unstable import unstable_ranges
 
 # m/s up to which is asked, and kg of a typical mass; floating ice is left open by the proof
 MODELS = {

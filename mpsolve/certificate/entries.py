@@ -9,9 +9,9 @@ from mpsolve.numbers.rootball import RootBall, Symmetry
 
 
 def root_entries(balls: tuple[RootBall, ...]) -> list[RootEntry]:
-    """One entry for a pair q, −q̄, one for a root by itself."""
+    """One entry for a pair q, −q̄, one for a root by itself, the fastest first, in whatever order they were found."""
     out = []
-    for ball in balls:
+    for ball in sorted(balls, key=lambda ball: (-float(ball.q.real.mid()), float(ball.q.imag.mid()))):
         if ball.symmetry is Symmetry.IMAGINARY:
             out.append(_entry(ball, False))
         elif ball.q.real > 0:

@@ -1039,12 +1039,12 @@ class Waves:
     def __init__(self, track: Track, places: Sequence[Free], at_: Sequence[Any] = ()) -> None:
         """places: of the contacts; at_: any parameters of the range, at which gaps are told from those behind."""
         self.track, self.d, self.n = track, Sums.of(by_power(track.d)), Sums.of(by_power(track.n))
-        self.gaps: list[Free] = []
-        self.index = []
-        for a in places:
-            row = [minus(a, b) for b in places]
-            self.gaps += [gap for k, gap in enumerate(row) if gap not in self.gaps and gap not in row[:k]]
-            self.index.append([self.gaps.index(gap) for gap in row])
+        rows = [[minus(a, b) for b in places] for a in places]
+        found: list[Free] = []
+        for gap in (gap for row in rows for gap in row):
+            found += [gap] if gap not in found else []
+        self.gaps = sorted(found, key=lambda gap: bool(at(gap, at_) < 0))  # those ahead first
+        self.index = [[self.gaps.index(gap) for gap in row] for row in rows]
         first = [k for k, place in enumerate(places) if place not in places[:k]]
         self.between = [[self.index[i][j] for j in first] for i in first]  # of the different places
         self.ahead = [at(gap, at_) >= 0 for gap in self.gaps]
@@ -1186,6 +1186,7 @@ def p_roots(local: Local) -> list[Any]:
     D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
     size = abs(D[0] / D[local.degree]) ** arb(fmpq(1, local.degree))
     try:
+        D.roots(maxprec=2000)  # where two are one that is told before the digits cost much
         found = D.roots(tol=size * arb(2) ** (-flint.ctx.prec // 2), maxprec=2 * flint.ctx.prec + 1000)
     except ValueError:
         raise Refused("p-roots meet in the middle of a piece") from None
@@ -1261,8 +1262,10 @@ def kernels(waves: Waves, split: Split, pole: Any = None) -> tuple[Form, Form]:
     used = [side for side in (0, 1) if pole is not None or any(ahead == (side == 0) for ahead in waves.ahead)]
     here = [k for side in used for k in nodes.side[side]]
     radii = [e for side in used for e in split.isolated(nodes.side[side])]
-    none = nodes.local.place.number(0).take([])
-    P, weight = residues(nodes.local, [nodes.z[k] for k in here], radii) if here else (none, none)
+    if here:
+        P, weight = residues(nodes.local, [nodes.z[k] for k in here], radii)
+    else:
+        P = weight = nodes.local.place.number(0).take([])
     sides = [[n for n, k in enumerate(here) if k in side] for side in nodes.side]
     return summed(waves, nodes.local.place, P, weight, sides, pole)
 
@@ -1284,9 +1287,7 @@ def summed(
     ahead = len(sides[0]) * len(chosen[0])
     G = folded(ride.part(0, ahead), len(chosen[0]))
     if chosen[1]:
-        order = [*chosen[0], *chosen[1]]
-        both = joined([G, -folded(ride.part(ahead, len(pairs_)), len(chosen[1]))])
-        G = both.take([order.index(g) for g in range(len(order))])
+        G = joined([G, -folded(ride.part(ahead, len(pairs_)), len(chosen[1]))])
     if pole is not None:
         G = G.scaled([(pole * x).exp() for x in xi])
     fine = all(x.is_finite() for row in (*G.k, G.e) for x in row)

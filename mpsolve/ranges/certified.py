@@ -33,9 +33,9 @@ _REGIONS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
 _MOST_CELLS, _MOST_NODES = 512, 20_000  # of a chart: along each parameter; of the tree, a minute or two of a checker
 _RATIO = 1.25  # of one end to the next of the cells between X and where the tail theorem begins
 _ROOM = 4  # by how much balls are wider in the file than they are known
-_POWERS = (0, 1, 3)  # of 2: wavenumbers from which on short waves may be bounded
+_POWERS = (0, 1, 2, 3)  # of 2: wavenumbers from which on short waves may be bounded
 _SHARPER = 0.5  # of a bound from a smaller wavenumber on: what makes one worth its proof
-_WORTH = 256  # times the bound far out: a larger one tells nothing, and with little damping is hard to prove
+_WORTH = 2**14  # times the bound far out: larger ones tell nothing, and with little damping they are hard to prove
 _OMEGA = 4.0  # where the charts of the envelope meet
 
 

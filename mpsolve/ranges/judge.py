@@ -28,6 +28,7 @@ NONZERO, PASSIVE, KNOWN, OUTSIDE, ABSORBING = 1, 2, 3, 4, 6
 _SHARES = 2.0 ** -np.arange(0.0, 21.0, 1.5)  # of the size of a box round a zero that are tried, side by side
 _SMALL = 2.0**-6  # of the whole: boxes in which zeros are looked for in any case
 _TRIED = 8  # of a batch
+_CELLS = 7  # on each side of a wave: few, as a verifier's forms are wider than those of the cells here
 _AROUND = 1.2  # of half a box: how far off its middle a zero is taken for one of the box
 Found = Callable[[Any, Any], bool]
 """What is done about a point (q̂, x̂) where the determinant seems to vanish, and half the box that shows it: True where
@@ -82,11 +83,14 @@ class Judge:
         A, G = self.matrix(boxes)
         s = scalar(A, G.good)
         verdict = nonzero(s.s)
-        rest = np.flatnonzero((kind == 0) & self._may_be_passive(boxes, low) & G.good & _seems_passive(G))
-        kind[rest[positive_definite(*G.take(rest).absorbed)]] = ABSORBING
+        upright_ = True if boxes.slope is None else boxes.slope == 0
+        passive = (low[0] > 0) & upright_  # may be told to be
+        if self.envelope is not None:
+            rest = np.flatnonzero((kind == 0) & passive & _seems_passive(G))
+            kind[rest[positive_definite(*G.take(rest).absorbed)]] = ABSORBING
         kind[(kind == 0) & s.good & verdict.nonzero] = NONZERO
         if self.envelope is not None:
-            kind[self._passive(self.envelope, boxes, G, low, high, kind)] = PASSIVE
+            kind[self._passive(self.envelope, boxes, G, low, high, (kind == 0) & passive)] = PASSIVE
         if self.found is not None and (kind == 0).any():
             self._look(boxes, s, kind)
         return kind, self._axis(boxes, G, s, verdict), s
@@ -97,13 +101,8 @@ class Judge:
         slope = low[m] if len(low) > m else None
         return boxes_of(low[:m], high[:m], self.origin, self.way, slope)
 
-    def _may_be_passive(self, boxes: Boxes, low: Any) -> Any:
-        """Passivity is told of upright boxes on the real axis with q > 0, and where it is asked about."""
-        upright_ = True if boxes.slope is None else boxes.slope == 0
-        return (low[0] > 0) & upright_ & (self.envelope is not None)
-
-    def _passive(self, envelope: Envelope, boxes: Boxes, G: Receptances, low: Any, high: Any, kind: Any) -> Any:
-        rest = np.flatnonzero((kind == 0) & self._may_be_passive(boxes, low))
+    def _passive(self, envelope: Envelope, boxes: Boxes, G: Receptances, low: Any, high: Any, rest: Any) -> Any:
+        rest = np.flatnonzero(rest)
         if len(rest):
             seems, unknown = _seems_passive(G)[rest], ~G.good[rest]
             if unknown.any():
@@ -116,7 +115,7 @@ class Judge:
         own = np.concatenate([self.felt, self.felt])
         _, first, which = np.unique(np.where(own[:, None], sides, 0), axis=1, return_index=True, return_inverse=True)
         a, b = np.split(sides[:, first].T, 2, axis=1)
-        return rest[passive_on(envelope, a, b)[which.ravel()]]
+        return rest[passive_on(envelope, a, b, _CELLS)[which.ravel()]]
 
     def _in_known(self, low: Any, high: Any) -> Any:
         inside = np.zeros(low.shape[1], bool)

@@ -2,35 +2,25 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
-from fractions import Fraction
-from typing import Any, ClassVar
+from typing import Any
 
 from mpsolve.certificate.solve import checked_digits
-from mpsolve.numbers.balls import precision, rational_ball
-from mpsolve.numbers.decimals import working_bits
-from mpsolve.numbers.packed import Portable
-from mpsolve.numbers.plain import outward
+from mpsolve.numbers.balls import rational_ball
 from mpsolve.outcome import Reason, Status
-from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
-from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.answer import Answer, Interval, Valued
 from mpsolve.ranges.crossed import Crossings
-from mpsolve.ranges.crossings import find
 from mpsolve.ranges.first import BEYOND, quarter, up_to_first
 from mpsolve.ranges.onset_worst import AtWorst, at_worst
 from mpsolve.ranges.parted import LeftOut
-from mpsolve.ranges.scope import checked_over, one_path
-
-SHARED = ("status", "reason", "known", "proofs", "cost", "certificate", "note", "left_out")
-"""What an answer has from the crossings that it is read from: their certificate is its own."""
+from mpsolve.ranges.scope import checked_over
+from mpsolve.ranges.unstable import found_in, intervals_of, near, shared
 
 _QUICK = 40_000  # boxes of a first try, if nothing else is asked: an onset needs the range up to itself only
 
@@ -42,49 +32,6 @@ class Kind(Enum):
     STABLE = "stable"
     UNSTABLE_FROM_START = "unstable_from_start"
     UNDECIDED = "undecided"
-
-
-@dataclass(frozen=True)
-class Unstable(Portable):
-    """Between two neighbouring crossings or ends of the range `roots` roots grow; q: the frequency at the start.
-
-    start, end: balls; an end of the range itself is exact, and then q is None at the start. end is None where the
-    range has no upper end, and then `upper` is ∞.
-    """
-
-    start: Any
-    end: Any
-    q: Any | None
-    roots: int
-
-    @property
-    def lower(self) -> float:
-        """A float at or below `start`."""
-        return outward(self.start, up=False)
-
-    @property
-    def upper(self) -> float:
-        """A float at or above `end`."""
-        return math.inf if self.end is None else outward(self.end, up=True)
-
-
-@dataclass(frozen=True)
-class UnstableRanges(Answer):
-    """All parts of a range in which some root grows, in ascending order; parts with other numbers of roots meet.
-
-    left_out: single speeds of which nothing is said.
-    """
-
-    a_list: ClassVar[bool] = True
-    digits: int = 15
-    intervals: tuple[Unstable, ...] = ()
-    left_out: tuple[LeftOut, ...] = ()
-
-    def rows(self) -> list[Mapping[str, Any]]:
-        """The answer as a table, numbers as floats: one mapping for each row."""
-        return [
-            {"start": _near(i.start), "end": _near(i.end), "q": _near(i.q), "roots": i.roots} for i in self.intervals
-        ]
 
 
 @dataclass(frozen=True)
@@ -109,23 +56,7 @@ class Onset(Valued, Answer):
 
     def rows(self) -> list[Mapping[str, Any]]:
         """The answer as a table, numbers as floats: one mapping for each row."""
-        return [{"kind": self.kind.value, "value": _near(self.value), "q": _near(self.q)}]
-
-
-def unstable_ranges(
-    problem: Given,
-    *,
-    over: Mapping[str, Any],
-    digits: int = 15,
-    effort: Effort | None = None,
-    progress: Progress | None = None,
-    check: bool = True,
-) -> UnstableRanges:
-    """Where in a closed range of one parameter the problem is unstable: see `crossings` for arguments and errors."""
-    given = as_problem(problem)
-    found = _found(given, checked_over(given, over, endless=True), digits, effort, progress, check)
-    intervals = intervals_of(found)
-    return UnstableRanges(problem, found.over, digits=found.digits, intervals=intervals, **_shared(found))
+        return [{"kind": self.kind.value, "value": near(self.value), "q": near(self.q)}]
 
 
 @stoppable
@@ -153,7 +84,7 @@ def onset(
     ranges = checked_over(given, over, endless=True)
 
     def ask(over: Mapping[str, Interval], effort: Effort | None, near: tuple[Any, ...] = ()) -> Crossings:
-        return _found(given, over, digits, effort, progress, check, near)
+        return found_in(given, over, digits, effort, progress, check, near)
 
     first = _up_to_first(problem, ranges, effort, ask)
     if first is not None:
@@ -161,7 +92,7 @@ def onset(
     found = ask(ranges, effort or Effort(evaluations=_QUICK))
     if effort is None and found.reason is not None and found.reason.code == "effort":
         found = ask(ranges, None)
-    return _read(found, Onset(problem, found.over, digits=found.digits, **_shared(found)))
+    return _read(found, Onset(problem, found.over, digits=found.digits, **shared(found)))
 
 
 def _up_to_first(problem: Given, over: Mapping[str, Interval], effort: Effort | None, ask: Any) -> Onset | None:
@@ -175,12 +106,8 @@ def _up_to_first(problem: Given, over: Mapping[str, Interval], effort: Effort | 
     note = "; ".join(filter(None, (found.note, BEYOND)))
     ((path, (low, _)),) = found.over.items()
     return replace(
-        _read(found, Onset(problem, {path: (low, over[path][1])}, digits=found.digits, **_shared(found))), note=note
+        _read(found, Onset(problem, {path: (low, over[path][1])}, digits=found.digits, **shared(found))), note=note
     )
-
-
-def _shared(found: Crossings) -> dict[str, Any]:
-    return {name: getattr(found, name) for name in SHARED}
 
 
 def _read(found: Crossings, answer: Onset) -> Onset:
@@ -203,7 +130,7 @@ def _read_in_parts(found: Crossings, answer: Onset) -> Onset:
         begins = rational_ball(part.over["v"][0])
         if not part.proved or any(begins > one.value and not one.is_point for one in found.left_out):
             break
-        first = _read(part, replace(answer, **_shared(part)))
+        first = _read(part, replace(answer, **shared(part)))
         skipped = before is None and found.left_out and begins > found.left_out[0].value
         if skipped and first.kind is Kind.UNSTABLE_FROM_START:
             value = found.left_out[0].start.union(begins)
@@ -242,46 +169,3 @@ def _at_worst(answer: AtWorst, problem: Given, digits: int) -> Onset:
     known |= {"kind": nowhere if found.value is None else Kind.CROSSES, "proofs": found.proofs}
     known |= {"note": "no certificate states an onset at the worst value of a second parameter yet"}
     return Onset(problem, answer.over, Status.UNVERIFIED, cost=answer.cost, digits=digits, **known)
-
-
-def intervals_of(found: Crossings) -> tuple[Unstable, ...]:
-    """The parts between crossings with roots that grow; none where the counts are open."""
-    if found.counts is None:
-        return ()
-    if found.left_out:
-        return tuple(one for part in found.parts for one in intervals_of(part))
-    low, high = next(iter(found.over.values()))
-    starts: list[tuple[Any, Any | None]] = [
-        (_exact(low, found.digits), None),
-        *((c.value, c.q) for c in found.crossings),
-    ]
-    ends = [*(c.value for c in found.crossings), None if high is None else _exact(high, found.digits)]
-    return tuple(
-        Unstable(start, end, q, number)
-        for (start, q), end, number in zip(starts, ends, found.counts, strict=True)
-        if number
-    )
-
-
-def _exact(x: Fraction, digits: int) -> Any:
-    """An end of the range, to a few more digits than were asked for."""
-    with precision(working_bits(digits)):
-        return rational_ball(x)
-
-
-def _near(ball: Any) -> float | None:
-    return None if ball is None else float(ball.mid())
-
-
-def _found(
-    given: Problem,
-    ranges: Mapping[str, Interval],
-    digits: int,
-    effort: Effort | None,
-    progress: Progress | None,
-    check: bool,
-    near: tuple[Any, ...] = (),
-) -> Crossings:
-    one_path(ranges)
-    with one_thread():
-        return find(given, ranges, checked_digits(digits), effort, progress or silent, check, near)

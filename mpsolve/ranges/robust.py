@@ -12,7 +12,6 @@ import numpy as np
 
 from mpsolve.certificate.solve import certify_problem
 from mpsolve.errors import EffortError, InputError, PrecisionError
-from mpsolve.numbers.model import shown
 from mpsolve.outcome import Status
 from mpsolve.parallel.pool import checked_workers
 from mpsolve.parallel.threads import one_thread
@@ -23,49 +22,18 @@ from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.ranges import undamped
-from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, uncounted
+from mpsolve.ranges.answer import Interval, Proof, Spent, uncounted
 from mpsolve.ranges.certified import Base, stable_certificate
 from mpsolve.ranges.glance import corners_and_more, count_seen
 from mpsolve.ranges.in_processes import InProcesses
 from mpsolve.ranges.never import never_unstable
+from mpsolve.ranges.robustness import Robust
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
 from mpsolve.ranges.verified import verified
 
 _BOXES = 1_000_000
 _TRIED = 12  # open boxes at which a root that grows is looked for
 _SHOWN = 1000  # open sub-boxes at most
-
-
-@dataclass(frozen=True)
-class Robust(Answer):
-    """stable: True for all parameters of the box, False with a certified `counterexample` in it, None where open.
-
-    counterexample: the exact parameters by path, and `spectrum`, the certified answer there. open: sub-boxes of
-    parameters (exact intervals by path) in which some root may be real.
-    """
-
-    stable: bool | None = None
-    counterexample: Mapping[str, Fraction] | None = None
-    spectrum: Any = None
-    open: tuple[Mapping[str, Interval], ...] = ()
-
-    @property
-    def trust(self) -> str:
-        """How far it is proved; what grows at the counterexample rests on the certified spectrum there."""
-        if self.counterexample is None:
-            return super().trust
-        where = ", ".join(f"{path} = {shown(value)}" for path, value in self.counterexample.items())
-        return f"not stable, roots grow at {where}: {self.spectrum.trust}"
-
-    def rows(self) -> list[Mapping[str, Any]]:
-        """The answer as a table, numbers as floats: one mapping for each row."""
-        out: list[Mapping[str, Any]] = []
-        for box in self.open:
-            ends = [
-                (f"{path} {end}", float(x)) for path, (a, b) in box.items() for end, x in (("low", a), ("high", b))
-            ]
-            out.append(dict(ends))
-        return out
 
 
 @stoppable

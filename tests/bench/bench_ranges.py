@@ -16,6 +16,7 @@ from typing import Any
 from measure import fresh
 
 from mpsolve import Case, Problem, crossings, onset, prove_stable, tracks, vehicles, worst
+from mpsolve.presets.written import problem_of
 from mpsolve.problem.inputfile import read_problem
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -28,6 +29,7 @@ SOFT = Problem(VISCOUS, vehicles.train(vehicles.Mass(10000), 2, "3.4"), v=50)
 BOGIE = read_problem(EXAMPLES / "two_layer_bogie.toml").problem
 ONE = Problem(BOGIE.track, vehicles.Mass(900), v=600)
 COACH = read_problem(EXAMPLES / "train_8_coaches.toml").problem
+BALLASTED = problem_of("ballasted")[0]
 TIMES = 5.0
 """The proof's time that the verification of an onset or of crossings may take."""
 
@@ -77,6 +79,8 @@ def rows() -> list[Row]:
         Row("onset, bogie on two layers", lambda c: onset(BOGIE, over={"v": (50, 600)}, check=c)),
         Row("onset, coach on two layers",
             lambda c: onset(Problem(COACH.track, COACH.vehicles[:1], v=50), over={"v": (50, 350)}, check=c)),
+        Row("onset, coach on ballast, bogies far apart",
+            lambda c: onset(BALLASTED, over={"v": (140, 1600)}, check=c)),
         Row("stable: pair, v k c", lambda c: prove_stable(WHEELS, over=soft, check=c), 3, False),
         Row("stable: pair, v k c M", lambda c: prove_stable(WHEELS, over=heavy, check=c), 10, False),
         Row("stable: bogie on two layers, v k c", lambda c: prove_stable(BOGIE, over=loose, check=c), 60, False),

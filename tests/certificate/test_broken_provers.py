@@ -25,7 +25,6 @@ from prover_mutations import MUTATIONS, PROBLEMS, Mutation
 from mpsolve.certificate import verify2
 from mpsolve.certificate.solve import certify_problem
 from mpsolve.errors import InputError, MpsolveError
-from mpsolve.passivity import tail
 from mpsolve.proof.effort import Effort
 
 SAMPLE = random.Random(18).sample(range(len(MUTATIONS)), 4)
@@ -37,7 +36,8 @@ def clear() -> None:
         for value in list(vars(module).values()):
             if hasattr(value, "cache_clear"):
                 value.cache_clear()
-    tail.forget()
+        if "forget" in vars(module):
+            module.forget()
 
 
 def ours() -> list[Any]:

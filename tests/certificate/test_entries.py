@@ -37,3 +37,10 @@ def test_the_disc_holds_the_ball() -> None:
 def test_a_real_root_by_symmetry() -> None:
     (entry,) = root_entries((ball(0.3, 0.0, Symmetry.REAL), ball(-0.3, 0.0, Symmetry.REAL)))
     assert (entry.im, entry.pair) == (0, True)
+
+
+def test_the_order_is_not_that_of_the_search() -> None:
+    balls = (ball(0.3, -0.1), ball(0.7, 0.2), ball(0.3, -0.4))
+    found = [(entry.re, entry.im) for entry in root_entries(balls)]
+    assert found == [(entry.re, entry.im) for entry in root_entries(balls[::-1])]
+    assert found[0] == (root_entries(balls[1:2])[0].re, root_entries(balls[1:2])[0].im)

@@ -518,6 +518,18 @@ def test_neighbouring_discs_are_linked_by_the_pair_at_their_common_point(track, 
     assert linked > 1
 
 
+def test_a_double_p_root_is_refused_soon_however_many_digits_are_asked_for():
+    with v2.precision(30_000):
+        D = acb_mat([[x] for x in fmpq_poly([1, -2, 1]) ** 4 * fmpq_poly([3, 1])])
+        start = time.process_time()
+        with pytest.raises(v2.Refused, match="p-roots meet"):
+            v2.p_roots(SimpleNamespace(D=D, degree=9))
+        assert time.process_time() - start < 1
+        D = acb_mat([[x] for x in fmpq_poly([1, fmpq(-2) - fmpq(1, 2**90), 1])])  # as close as 2^−45
+        p = v2.p_roots(SimpleNamespace(D=D, degree=2))
+        assert all(abs(x * x - D[1, 0].abs_upper() * x + 1) < arb(2) ** -14_000 for x in p)
+
+
 def test_p_roots_of_one_side_that_meet_are_refused():
     """On the imaginary axis two p-roots of one side of a string meet: no residue is known over a disc there."""
     t = v2.read_track(WIRE, "200")

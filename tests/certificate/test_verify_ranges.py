@@ -9,7 +9,8 @@ import sys
 from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -98,6 +99,16 @@ def _known_elsewhere(c: dict[str, Any]) -> None:
     c["tree"] = c["tree"].replace("n", "z", 1)
 
 
+def _absorbing_at_rest(c: dict[str, Any]) -> None:
+    """The first leaf begins at q = 0, where nothing is absorbed."""
+    c["tree"] = c["tree"].replace("n", "g", 1)
+
+
+def _absorbing_beside_crossing(c: dict[str, Any]) -> None:
+    """Where a mass has a real root the rail does not absorb whatever the vehicle is."""
+    c["tree"] = c["tree"].replace("z", "g")
+
+
 def _longer_range(c: dict[str, Any]) -> None:
     c["range"] = [["170", "2000"]]
 
@@ -170,6 +181,7 @@ def _less_given(c: dict[str, Any]) -> None:
     "change",
     [
         _drop_crossing, _drop_from_claim, _turn, _raise_counts, _cut_tree, _merge_leaves, _known_elsewhere,
+        _absorbing_at_rest, _absorbing_beside_crossing,
         _longer_range, _end_at_crossing, _shorter_range, _other_mass, _other_track, _negative_damping,
         _other_base, _moved_ball, _smaller_room, _lower_X, _lower_Q, _more_taken, _less_given,
     ],
@@ -191,6 +203,10 @@ def _passive_along(tree: str) -> str:
     return re.sub(r"(;[0-9]*)n", r"\1p", tree, count=1)
 
 
+def _absorbing_along(tree: str) -> str:
+    return re.sub(r"(;[0-9]*)n", r"\1g", tree, count=1)
+
+
 def _far_slope(tree: str) -> str:
     """A leaf along a slope that has nothing to do with what is there: it holds too much for any work."""
     return re.sub(r"s[-0-9]*e", "s9999999e", tree)
@@ -199,7 +215,7 @@ def _far_slope(tree: str) -> str:
 @pytest.mark.parametrize(
     "change",
     [
-        lambda tree: tree.replace("z", "n"), _outside, _passive_along, _far_slope,
+        lambda tree: tree.replace("z", "n"), _outside, _passive_along, _absorbing_along, _far_slope,
         lambda tree: re.sub(r"s[^;]*;", "1", tree),
     ],
 )  # fmt: skip
@@ -392,6 +408,25 @@ def test_roots_alone_are_those_of_numpy(family: checker.Family, monkeypatch: pyt
         assert checker.alone(nodes, range(4), False) is None
 
 
+def test_one_side_alone_gives_the_receptance_at_a_place(family: checker.Family) -> None:
+    """G(0) from the roots of one side, against numpy; with another number than is known the splitting tells."""
+    one, used = cast(Any, SimpleNamespace(places=family.vehicle.places[:1])), []
+    waves, alone = checker.Waves(family.track, one, family.box), checker.alone
+    with precision(64):
+        place = place_over([arb(12), arb(180)], [arb("1.5"), arb(4)])
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(
+                checker, "alone", lambda nodes, which, *more: used.append(which) or alone(nodes, which, *more)
+            )
+            for up in (None, 1):
+                waves.up = up
+                G = checker.kernels_over(waves, place, False)
+                for u in ((1, 1), (-1, 1), (0.3, -0.7)):
+                    true = acb(floats_of(12 + 1.5 * u[0], 180 + 4 * u[1], 0.0))
+                    assert not abs(_model(G, u) - true) > G.e[0] + 1e-9 * abs(true)
+        assert used == [[0, 1]]
+
+
 def test_roots_alone_are_those_of_all_that_a_ball_holds() -> None:
     b, one = 0.1, {(0,): fmpq(1)}
     d = checker.Sums.of([{(0,): fmpq(-1)}, {}, one])
@@ -505,6 +540,24 @@ def test_the_scalar_vanishes_where_the_determinant_does() -> None:
         with pytest.raises(Refused):
             checker.check_nonzero(s)
         checker.check_nonzero(scalar(x * y + one))
+
+
+@pytest.mark.parametrize("terms", [0, 1, 3])
+def test_the_reduction_holds_what_it_leaves_out(monkeypatch: pytest.MonkeyPatch, terms: int) -> None:
+    """Against the quotient of determinants at corners, for random matrices that change by a fifth."""
+    monkeypatch.setattr(checker, "TERMS", terms)
+    rng, units = np.random.default_rng(5), [[1.0, 2.0, 0.5, 4.0], [1.0, 1.0, 8.0, 1.0]]
+    with precision(64):
+        for _ in range(4):
+            parts = [acb_mat((rng.normal(size=(4, 4)) * size).tolist()) for size in (1, 0.04, 0.04, 0.01, 0.01, 0.01)]
+            s = checker.scalar((parts, arb_mat(4, 4)), 2, units)
+            X, Y = checker.cleared(parts[0], units)
+            for u in itertools.product((-1, 0.5, 1, 1j), repeat=2):
+                factors = (1, *u, u[0] ** 2, u[0] * u[1], u[1] ** 2)
+                A = sum((a * acb(f) for a, f in zip(parts, factors, strict=True)), acb_mat(4, 4))
+                B = X * A * Y
+                block = acb_mat([row[:3] for row in B.tolist()[:3]])
+                assert abs(_model(s, u) - B.det() / block.det()) <= s.e[0] + arb(2) ** -40
 
 
 def test_rests_are_no_smaller_than_what_is_left_out() -> None:

@@ -97,3 +97,16 @@ def test_joined_trees_tile_the_whole(again: bool) -> None:
     assert sorted(np.concatenate([whole.child[inner], whole.child[inner] + 1])) == list(range(1, whole.nodes))
     a, b = whole.boxes(np.flatnonzero(whole.kind == 1))
     assert (by_circle(a, b)[0] == 1).all()
+
+
+def test_fewer_boxes_at_once_make_a_smaller_tree() -> None:
+    """A disc in the middle of a square: boxes that hold none of its rim are closed."""
+
+    def judge(low: Any, high: Any) -> tuple[Any, Any]:
+        near, far = np.maximum(np.maximum(low, -high), 0), np.maximum(np.abs(low), np.abs(high))
+        away = ((near**2).sum(0) > 0.25) | ((far**2).sum(0) < 0.25)
+        return np.where(away, 1, 0), (high - low).argmax(0)
+
+    many, some = (subdivide(-np.ones(2), np.ones(2), judge, Effort(), 2.0**-6, few=few).tree for few in (96, 2))
+    assert some.nodes < many.nodes
+    assert (some.kind == 1).any()

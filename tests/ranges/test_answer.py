@@ -21,10 +21,11 @@ from mpsolve.ranges.answer import within
 from mpsolve.ranges.chart import Chart
 from mpsolve.ranges.crossed import Crossing, Crossings
 from mpsolve.ranges.entry import Entry
-from mpsolve.ranges.onset import Kind, Onset, Unstable, UnstableRanges
-from mpsolve.ranges.robust import Robust
+from mpsolve.ranges.onset import Kind, Onset
+from mpsolve.ranges.robustness import Robust
 from mpsolve.ranges.sensitivity import Moved, Sensitivity
 from mpsolve.ranges.table import Table
+from mpsolve.ranges.unstable import Unstable, UnstableRanges
 from mpsolve.ranges.worst import Worst
 
 CASE = Case(alpha="0.5", eta_b="0.05", eta_m=(1, 1), positions=(0, 1))

@@ -10,7 +10,7 @@ from ranges_of_a_pair import over_velocity
 
 from mpsolve.progress import silent
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.judge import KNOWN, NONZERO, PASSIVE
+from mpsolve.ranges.judge import ABSORBING, KNOWN, NONZERO, PASSIVE
 from mpsolve.ranges.search import Search
 
 
@@ -46,8 +46,9 @@ def test_small_boxes_elsewhere_are_decided(crossing: np.ndarray) -> None:
     at = low[:, None] + rng.uniform(0.01, 0.99, (2, 200)) * (high - low)[:, None]
     at = at[:, (np.abs(at - crossing[:, None]) > 0.02).any(0)]
     kind, _ = scope.judge()(at - 1e-6, at + 1e-6)
-    assert set(kind.tolist()) <= {NONZERO, PASSIVE}
+    assert set(kind.tolist()) <= {NONZERO, PASSIVE, ABSORBING}
     assert NONZERO in kind
+    assert ABSORBING in kind
 
 
 def test_known_boxes_are_known(crossing: np.ndarray) -> None:

@@ -12,7 +12,7 @@ from mpsolve import Case, Problem, certify, tracks, vehicles
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import as_problem
 from mpsolve.ranges.margin import Margin, margin, margin_in
-from mpsolve.ranges.onset import Unstable, UnstableRanges
+from mpsolve.ranges.unstable import Unstable, UnstableRanges
 
 CASE = Case(alpha="0.67", eta_b="0.05", eta_m=("70", "70"), positions=("0", "1.5"))
 PROBLEM = as_problem(CASE)

@@ -15,8 +15,9 @@ from mpsolve import Effort, Problem, tracks, vehicles
 from mpsolve.outcome import Reason, Status
 from mpsolve.ranges.crossed import Crossings
 from mpsolve.ranges.crossings import crossings
-from mpsolve.ranges.onset import Kind, Onset, _read, _shared, onset, unstable_ranges
+from mpsolve.ranges.onset import Kind, Onset, _read, onset
 from mpsolve.ranges.parted import parted, speeds_above, speeds_within
+from mpsolve.ranges.unstable import shared, unstable_ranges
 
 WIRE = tracks.String(T=27000, m="1.07", k=500, c=2)
 SPEED = sqrt(27000 / 1.07)
@@ -60,7 +61,7 @@ def test_a_range_that_ends_below_a_speed_is_proved_as_far_as_can_be() -> None:
     (left,) = found.left_out
     assert (found.status, found.reason.code, left.is_point) == (Status.UNDECIDED, "left-out", False)
     assert (float(left.start), float(left.end)) == (pytest.approx(SPEED * 15 / 16), 157)
-    first = _read(found, Onset(problem, below, **_shared(found)))
+    first = _read(found, Onset(problem, below, **shared(found)))
     assert first.kind is Kind.UNDECIDED
     assert first.known["stable"] == [list(found.parts[0].over["v"])]
     below = {"v": (Fraction(100), Fraction(156))}
@@ -136,7 +137,7 @@ def test_an_open_part_is_left_out_whole() -> None:
 
 def test_what_grows_behind_the_first_speed_is_not_said_of_the_start() -> None:
     found = joined(lambda *_: False, 1990, 4500)
-    read = _read(found, Onset(RAIL, found.over, **_shared(found)))
+    read = _read(found, Onset(RAIL, found.over, **shared(found)))
     assert (read.status, read.kind, read.reason and read.reason.code) == (
         Status.UNDECIDED,
         Kind.UNDECIDED,
@@ -149,11 +150,11 @@ def test_an_onset_behind_a_gap_is_not_told_and_the_gap_is_named() -> None:
     found = joined(lambda *_: False, 1990, 4500)
     (part,) = found.parts
     found = replace(found, parts=(replace(part, parts=(), counts=(0, *part.counts[1:])),))  # type: ignore[misc]
-    read = _read(found, Onset(RAIL, found.over, **_shared(found)))
+    read = _read(found, Onset(RAIL, found.over, **shared(found)))
     assert read.kind is Kind.UNDECIDED
     assert "v from 1990 to" in read.reason.message  # type: ignore[union-attr]
     found = joined(lambda *_: False, 500, 4500)
-    read = _read(found, Onset(RAIL, found.over, **_shared(found)))
+    read = _read(found, Onset(RAIL, found.over, **shared(found)))
     assert (read.proved, read.kind, read.value, read.left_out) == (True, Kind.CROSSES, 1000, ())
 
 

@@ -8,8 +8,9 @@ from free_cases import PAIR
 
 from mpsolve import Case, Problem, certify, prove_stable, tracks
 from mpsolve.numbers.balls import precision
-from mpsolve.ranges.onset import Kind, onset, unstable_ranges
+from mpsolve.ranges.onset import Kind, onset
 from mpsolve.ranges.undamped import NOTE, never_unstable
+from mpsolve.ranges.unstable import unstable_ranges
 
 BEAM = tracks.EulerBernoulli(EI="1/4", m=1, k=1)  # cuts join at v = 1
 PROBLEM = Problem(BEAM, PAIR, v="0.5")

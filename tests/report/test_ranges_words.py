@@ -10,7 +10,8 @@ import pytest
 from mpsolve import Problem, crossings, onset, tracks, unstable_ranges, vehicles
 from mpsolve.numbers.balls import arb
 from mpsolve.ranges.crossed import Crossings
-from mpsolve.ranges.onset import Kind, Onset, _read, _shared
+from mpsolve.ranges.onset import Kind, Onset, _read
+from mpsolve.ranges.unstable import shared
 from mpsolve.report.ranges_asked import asked
 from mpsolve.report.ranges_words import said_of_crossings, said_of_onset, said_of_ranges
 
@@ -42,7 +43,7 @@ def test_an_onset_in_what_is_left_out() -> None:
     low = replace(low, over={"v": (Fraction(0), Fraction(150))})
     high = replace(high, over={"v": (Fraction(170), Fraction(300))}, counts=(2,))
     found: Crossings = replace(whole, parts=(low, high), counts=(0, 2))
-    first = _read(found, Onset(WIRE, OVER, **_shared(found)))
+    first = _read(found, Onset(WIRE, OVER, **shared(found)))
     assert (first.kind, first.q) == (Kind.CROSSES, None)
     assert first.value.contains(arb(150))
     assert first.value.contains(arb(170))
