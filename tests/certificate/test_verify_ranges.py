@@ -809,3 +809,20 @@ def test_the_box_of_a_pair_is_mapped_into_itself() -> None:
             assert (w / (1 - near @ beta) < beta).all()
             wide.append((beta > 2 * w).all())
     assert 0 < sum(wide) < len(wide)
+
+
+def test_boxes_are_passive_by_the_receptance_where_the_contacts_take_up_power(family: checker.Family) -> None:
+    """Against floats of −Im G, of both contacts: it has both signs over the range."""
+    seen, xi = set(), abs(float(max(family.waves.distances, key=abs).real))
+    for q, v in itertools.product((5, 20, 60, 120, 250, 500), (172, 190, 208)):
+        G = np.array([[floats_of(q, v, x) for x in row] for row in ((0, xi), (-xi, 0))])
+        least = np.linalg.eigvalsh(-(G - G.conj().T) / 2j)[0] / abs(G).max()
+        with precision(64):
+            try:
+                checker.by_roots(family, place_over([arb(q), arb(v)], [arb("1e-6")] * 2))
+                found = True
+            except Refused:
+                found = False
+        assert found == (least > 0), (q, v, least)
+        seen.add(found)
+    assert seen == {True, False}
