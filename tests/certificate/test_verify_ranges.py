@@ -712,3 +712,100 @@ def test_lower_bounds_over_boxes() -> None:
     square = {(2,): fmpq(1), (1,): fmpq(-1)}
     assert checker.spectra.least(square, ((fmpq(0), fmpq(1)),)) <= fmpq(-1, 4)
     assert checker.spectra.least({(1, 1): fmpq(-1)}, ((fmpq(1), fmpq(2)), (fmpq(3), fmpq(4)))) == -8
+
+
+def _edge(rng: Any, m: int) -> list[complex]:
+    return [complex(x) for x in 0.9999999 * np.exp(2j * np.pi * rng.random(m))]
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_forms_of_waves_hold_them_at_complex_points(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """P, N/D_P and G, against numpy's roots at the edge of wide boxes, with few points on circles too."""
+    monkeypatch.setattr(checker, "SAMPLES", 6 if seed % 2 else 32)
+    rng, held = np.random.default_rng(seed), []
+    c = rng.normal(size=(5, 3)) * [1, 0.5, 0.3] + [[9, 0, 0], *[[0, 0, 0]] * 3, [3, 0, 0]]
+    d, one = [{(i,): fmpq(int(64 * x), 64) for i, x in enumerate(row)} for row in c], {(0,): fmpq(1)}
+    number = np.array([[float(arb(x)) for x in row.values()] for row in d])
+    waves: Any = SimpleNamespace(fixed=True, ahead=[True, False], distances=[arb(1), arb(-1)])
+    waves.xi = checker.Sums.of([{(0,): fmpq(1)}, {(0,): fmpq(-1)}])
+    with precision(64):
+        for size in (0.4, 0.3, 0.2, 0.15, 0.1, 0.05):
+            local = checker.spectra.Local(
+                Place([acb(0.3)], [arb(size)], 2), checker.Sums.of(d), checker.Sums.of([one])
+            )
+            nodes = checker.spectra.nodes_near(local)
+            try:
+                split = nodes.split()
+                G, (P, weight) = receptances(waves, split), checker.alone(nodes, range(4), False) or (None, None)
+            except Refused:
+                continue
+            for u in (_edge(rng, 1) for _ in range(12)):
+                row = number @ (0.3 + size * u[0]) ** np.arange(3)
+                p = np.roots(row[::-1])
+                p = p[[checker.spectra.nearest(acb(z), [acb(x) for x in p]) for z in map(complex, nodes.z)]]
+                for k, z in enumerate(map(complex, nodes.z)):
+                    side = p[: nodes.up] if k < nodes.up else p[nodes.up :]
+                    own = [complex(x) for j, x in enumerate(nodes.z) if (j < nodes.up) == (k < nodes.up) and j != k]
+                    assert abs(np.prod(z - side) / np.prod(z - np.array(own))) <= float(split.tight[k]) + 1e-9
+                w = 1 / np.polyval(np.polyder(row[::-1]), p)
+                true = [(w * np.exp(p))[: nodes.up].sum(), -(w * np.exp(-p))[nodes.up :].sum()]
+                held += [(G, u, k, x) for k, x in enumerate(true)]
+                if P is not None:
+                    held += [(form, u, k, x) for form, all_ in ((P, p), (weight, w)) for k, x in enumerate(all_)]
+        assert held
+        assert not any(abs(_model(form, tuple(u), k) - acb(x)) > form.e[k] + 1e-12 for form, u, k, x in held)
+
+
+def test_the_reduced_determinant_is_held_at_complex_points() -> None:
+    rng = np.random.default_rng(4)
+    for size in np.linspace(0.01, 0.2, 60):
+        parts = rng.normal(size=(6, 4, 4, 2)) @ [1, 1j] * np.array([1, size, size, 0, 0, 0])[:, None, None]
+        lost, units = np.zeros((4, 4)) if size > 0.1 else 0.002 * rng.random((4, 4)), ([1.0] * 4, [1.0] * 4)
+        with precision(64):
+            A = [acb_mat(part.tolist()) for part in parts]
+            try:
+                s = checker.scalar((A, arb_mat(lost.tolist())), 2, units)
+            except Refused:
+                continue
+            X, Y = (np.array([[complex(x) for x in r] for r in a.tolist()]) for a in checker.cleared(A[0], units))
+            for _ in range(10):
+                u, v = _edge(rng, 2)
+                whole = np.tensordot([1, u, v, u * u, u * v, v * v], parts, 1)
+                B = X @ (whole + lost * np.exp(2j * np.pi * rng.random((4, 4)))) @ Y
+                true = np.linalg.det(B) / np.linalg.det(B[:3, :3])
+                assert not abs(_model(s, (u, v)) - acb(true)) > s.e[0] + 1e-9
+
+
+def test_polynomials_of_forms_hold_all_of_them() -> None:
+    """Of modulus as large as may be, so that what is left out counts: Σ E_i h^i with E_i, h > 0."""
+    place = Place([acb(0)], [arb("0.5")], 2)
+    E = [Form([[acb(1)], [acb(0)], [acb(0)]], [arb("0.1")], 1) for _ in range(7)]
+    h = Form([[acb("0.5")], [acb("0.25")], [acb(0)]], [arb("0.05")], 1)
+    for slope in (False, True):
+        got = checker.spectra.along(E[: place.order + 2], [f.size for f in E], h, h.size, slope)
+        true = sum(1.1 * (i if slope else 1) * 0.8 ** (i - slope) for i in range(slope, 7))
+        assert _model(got, (1,)).real + got.e[0] > true - 1e-9
+
+
+def test_what_a_form_leaves_out_counts_against_passivity() -> None:
+    for n in (1, 2):
+        index = [[(i != j) for j in range(n)] for i in range(n)]
+        for rest, fine in (("0.5", True), ("1.5", False)):
+            F = Form([[acb(0, -1), acb(0)]], [arb(rest), arb(0)], 0)
+            assert checker.spectra.definite(*checker.spectra.hermitian(F, index, [acb(0, 1)])) == fine
+        F = Form([[acb(0, 1), acb(0)]], [arb(0), arb(0)], 0)
+        assert not checker.spectra.definite(*checker.spectra.hermitian(F, index, [acb(0, 1)]))
+
+
+def test_the_box_of_a_pair_is_mapped_into_itself() -> None:
+    rng, wide = np.random.default_rng(2), []
+    for size in np.linspace(0.01, 0.3, 60):
+        near = rng.random((4, 4)) * [[0, 0, 1, 1], [0, 0, 1, 1], [1, 1, 0, 0], [1, 1, 0, 0]]
+        w = size * rng.random(4)
+        found = checker.spectra.contraction([arb(x) for x in w], arb_mat(near.tolist()), arb("1e-60"))
+        if found is not None:
+            beta = np.array([float(x) for x in found[0]])
+            assert (near @ beta < 0.5).all()
+            assert (w / (1 - near @ beta) < beta).all()
+            wide.append((beta > 2 * w).all())
+    assert 0 < sum(wide) < len(wide)
