@@ -1210,8 +1210,12 @@ def split_near(local: Local, known: Known) -> Split:
     """The pair over a place, or Refused: from nodes that go on from known ones, or next to them."""
     D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
     z, slope = known[0], D.derivative()
-    for _ in range(flint.ctx.prec.bit_length() - 4):  # by Newton's method: nothing rests on it
-        z = [(x - D(x) / slope(x)).mid() for x in z]
+    near = max(abs(x).upper() for x in z) * arb(2) ** (-flint.ctx.prec // 4)
+    for _ in range(flint.ctx.prec.bit_length() + 4):  # by Newton's method: nothing rests on it
+        step = [(D(x) / slope(x)).mid() for x in z]
+        z = [(x - y).mid() for x, y in zip(z, step, strict=True)]
+        if all(abs(y) < near for y in step):  # the next one is about as its square
+            break
     try:
         return Nodes(z, known[1], local).split()
     except Refused:

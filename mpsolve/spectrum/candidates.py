@@ -200,7 +200,7 @@ def _step(function: Floats, q: Any, found: Any) -> Any:
             trace = np.array([_trace(x, y) for x, y in zip(a, b, strict=True)])
         slope = 1j * trace
         for root in found:
-            for mirror in {complex(root), complex(-root.conjugate())}:
+            for mirror in (root, -root.conjugate())[: both(root)]:
                 slope = slope - 1 / (q - mirror)
         return np.where(fine, -1 / slope, np.nan)
 

@@ -10,7 +10,6 @@ import pytest
 from mpsolve import verify
 from mpsolve.claims.load import audit, load
 from mpsolve.claims.report import as_data, document, page
-from mpsolve.report.blocks import plain
 
 ROOT = Path(__file__).parents[3]
 STORED = ROOT / "certs" / "paper"
@@ -62,7 +61,7 @@ def test_a_finding_without_certificate_says_so(monkeypatch: pytest.MonkeyPatch) 
     found = audit(PAPER, ["eq-26-one-place", "eq-31"], workers=1)
     command = "mpsolve audit examples/paper --only eq-26-one-place"
     said = f"No certificate: proved by computation; recompute with {command}"
-    assert said in " ".join(plain(document(found)).split())
+    assert said in " ".join(document(found).text().split())
     data = {entry["id"]: entry for entry in as_data(found)["claims"]}
     assert (data["eq-31"]["no certificate"], data["eq-26-one-place"]["no certificate"]) == ("", said)
     assert said in page(found)
