@@ -1211,10 +1211,10 @@ def split_near(local: Local, known: Known) -> Split:
     D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
     z, slope = known[0], D.derivative()
     near = max(abs(x).upper() for x in z) * arb(2) ** (-flint.ctx.prec // 4)
-    for _ in range(flint.ctx.prec.bit_length() + 4):  # by Newton's method: nothing rests on it
+    for k in range(flint.ctx.prec.bit_length() + 4):  # by Newton's method: nothing rests on it
         step = [(D(x) / slope(x)).mid() for x in z]
         z = [(x - y).mid() for x, y in zip(z, step, strict=True)]
-        if all(abs(y) < near for y in step):  # the next one is about as its square
+        if k > 1 and all(abs(y) < near for y in step):  # the next one is about as its square
             break
     try:
         return Nodes(z, known[1], local).split()

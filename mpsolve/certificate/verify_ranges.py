@@ -254,11 +254,11 @@ def alone(nodes: spectra.Nodes, used: Sequence[int], throughout: bool) -> tuple[
         return None
     value, slope = (spectra.along(D, sizes, delta, most, way) for way in (False, True))
     eps, lost = [], []
-    for k, first in enumerate(value.size):
+    for k, (first, moved) in enumerate(zip(value.size, slope.spread, strict=True)):
         above_ = arb_poly([0, 0, *(size[k] for size in sizes[2:])])(
             arb_poly([most[k], 1])
         ).coeffs()  # bounds of |c_j|
-        low, more = slope.k[0][k].abs_lower() - slope.spread[k], arb_poly([0, 0, *above_[2:]])
+        low, more = slope.k[0][k].abs_lower() - moved, arb_poly([0, 0, *above_[2:]])
         found = radius_of(first / low, more * (1 / low)) if low > 0 else None
         if found is None:
             return None
