@@ -7,10 +7,10 @@ second thread waits. So does the verifier, which shares no code but takes the sa
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, reduce
 from typing import Any
 
 import flint
@@ -61,6 +61,16 @@ def square(radius: Any) -> Any:
     """The square ball round 0 that holds the disc of this radius; radius: arb ≥ 0."""
     side = arb(0, radius.upper() if isinstance(radius, arb) else radius)
     return acb(side, side)
+
+
+def least(values: Iterable[Any]) -> Any:
+    """A real ball that holds the least of what these balls hold."""
+    return reduce(arb.min, values)
+
+
+def greatest(values: Iterable[Any]) -> Any:
+    """A real ball that holds the greatest."""
+    return reduce(arb.max, values)
 
 
 def exact_ball(z: complex) -> Any:

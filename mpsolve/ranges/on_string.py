@@ -41,7 +41,7 @@ from fractions import Fraction
 from itertools import pairwise, product
 from typing import Any
 
-from mpsolve.numbers.balls import precision, rational_ball
+from mpsolve.numbers.balls import arb, greatest, least, precision, rational_ball
 from mpsolve.numbers.jets import UP
 from mpsolve.problem.family import Family, Interval
 from mpsolve.problem.problem import Problem
@@ -87,14 +87,15 @@ def passive_beyond(family: Family, up_to_waves: bool = False) -> float | None:
         known = [one for one in each if one is not None]
         if len(known) < len(each):
             return None
-        beta, ab = (max((one[k].upper() for one in known), key=float) for k in (0, 1))
-        less = 1 - (-min((one[2].lower() for one in known), key=float)).exp()  # 1 − b
+        beta, ab, decay = zip(*known, strict=True)
+        less = 1 - (-least(decay)).exp()  # 1 − b
         cos = 1 - less / 2
         t = (1 - cos * cos).sqrt() / cos if count == 2 else less / (2 - less) / (2 * (count - 1))
         if not t > 0:
             return None
         g = (1 / t - t) / 2
-        q = beta * g + (beta * beta * g * g + ab).sqrt() if g > 0 else ab.sqrt()
+        first, last = greatest(beta) * arb.max(g, arb(0)), greatest(ab)
+        q = first + (first * first + last).sqrt()
         return float(q.upper()) * UP
 
 
@@ -112,7 +113,7 @@ def _at_corner(family: Family, x: tuple[Fraction, ...], up_to_waves: bool) -> tu
     root_T, root_m = rational_ball(T).sqrt(), rational_ball(m).sqrt()
     decay = rational_ball(c) / (2 * root_m * (root_T + (rational_ball(v) * root_m if slower else root_T)))
     if not light:
-        decay = min(decay, rational_ball(k / c) * root_m / root_T, key=float)
+        decay = least([decay, rational_ball(k / c) * root_m / root_T])
     beta = c / (2 * m)
     return rational_ball(beta), rational_ball(k / m + beta * beta), decay * rational_ball(gap)
 

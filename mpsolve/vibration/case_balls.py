@@ -11,7 +11,7 @@ import mpmath
 import numpy as np
 
 from mpsolve.errors import InputError, PrecisionError
-from mpsolve.numbers.balls import arb
+from mpsolve.numbers.balls import arb, greatest
 from mpsolve.numbers.exact import Exact, Number, exact_list
 from mpsolve.numbers.model import whole
 from mpsolve.problem.case import Case
@@ -127,7 +127,7 @@ def numbers_of_case(*arguments: Any, digits: int = 15, **options: Any) -> Precis
     parts = found.w, found.steady, found.harmonic, found.transient
     limit = arb(10) ** -digits
     for k, time in enumerate(found.tau):
-        worst = max((ball.rad() for part in parts for ball in part[:, k]), default=arb(0), key=float)
+        worst = greatest([arb(0), *(ball.rad() for part in parts for ball in part[:, k])])
         if not worst < limit:
             stated = f"at τ = {time.short()} the motion is known to {float(worst):.1e} only, not to {digits} decimals"
             raise PrecisionError(f"{stated}: {_SLOW}")

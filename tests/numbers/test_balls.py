@@ -9,7 +9,18 @@ import flint
 import pytest
 
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.balls import Balls, acb, arb, bits_now, exact_ball, precision, rational_ball, square
+from mpsolve.numbers.balls import (
+    Balls,
+    acb,
+    arb,
+    bits_now,
+    exact_ball,
+    greatest,
+    least,
+    precision,
+    rational_ball,
+    square,
+)  # fmt: skip
 
 
 def test_precision_is_put_back() -> None:
@@ -71,3 +82,11 @@ def test_a_matrix_that_may_be_singular() -> None:
     wide = K.matrix([[acb(arb(0, 1))]])
     with pytest.raises(PrecisionError, match="singular"):
         K.solve(wide, K.matrix([[acb(1)]]))
+
+
+def test_the_least_and_the_greatest_hold_what_floats_do_not_tell_apart() -> None:
+    with precision(128):
+        close = [arb(1), arb(1) + arb(2) ** -60, arb(1) - arb(2) ** -60, arb(1, 2.0**-70)]
+        assert least(close) == close[2]
+        assert greatest(close) == close[1]
+        assert least([arb(0, 1), arb(2)]).contains(arb(-1))

@@ -109,4 +109,4 @@ def _over(
 
 
 def _larger(some: list[Any], other: list[Any]) -> list[Any]:
-    return [max(x, y, key=float) for x, y in zip(some, other, strict=True)] if some else other
+    return [x.max(y) for x, y in zip(some, other, strict=True)] if some else other

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import EffortError, PrecisionError
-from mpsolve.numbers.balls import acb, arb
+from mpsolve.numbers.balls import acb, arb, greatest, least
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.vibration.balls.far import Bound, far_field
@@ -104,7 +104,7 @@ class Work:
 
     def _integral(self, path: Path, radius: float, bounds: list[Bound], goals: list[Any]) -> Any:
         """(1/π) Im ∫, with what is missed in the radii."""
-        first, end = min(self.late, key=float), radius**0.5 * 1.001
+        first, end = least(self.late), radius**0.5 * 1.001
         longest = min(_LONGEST, (_TURNS / float(first)) ** 0.5, _ECHOES / self.span if self.span else _LONGEST)
         while end < longest and any(
             not x < goal for x, goal in zip(self._tail(path, bounds, end, first), goals, strict=True)
@@ -126,8 +126,8 @@ class Work:
 
     def _arrived(self, bounds: list[Bound]) -> None:
         """PrecisionError unless all waves have arrived at the first time."""
-        last = max((bound.delay for bound in bounds), key=float)
-        if self.late and not last < min(self.late, key=float):
+        last = greatest(bound.delay for bound in bounds)
+        if self.late and not last < least(self.late):
             when = float(last / self.image.rate_ball)
             raise PrecisionError(
                 f"a place is reached by waves at t = {when:.6g} only: give later times, or nearer places"
