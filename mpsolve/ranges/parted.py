@@ -170,7 +170,10 @@ def _up_to(problem: Problem, found: Any, speed: _Speed, effort: Effort | None) -
         return None
     cost = Spent(0.0, 0.0, budget.spent)
     over = {"v": (strip[0], max(strip[0], speed.beside(-1)))}
-    more = replace(found, over=over, crossings=(), counts=found.counts[-1:], proofs=(proof,), parts=(), cost=cost)
+    more = replace(
+        found, over=over, crossings=(), counts=found.counts[-1:], proofs=(proof,), parts=(), cost=cost,
+        status=Status.UNVERIFIED, certificate=None, note="no root is real up to the speed of the waves",
+    )  # fmt: skip
     return _adjoined(found, more)
 
 

@@ -13,6 +13,7 @@ import pytest
 
 from mpsolve import Effort, Problem, tracks, vehicles
 from mpsolve.outcome import Reason, Status
+from mpsolve.ranges import parted as module
 from mpsolve.ranges.crossed import Crossings
 from mpsolve.ranges.crossings import crossings
 from mpsolve.ranges.onset import Kind, Onset, _read, onset
@@ -177,3 +178,15 @@ def test_the_first_part_decides_an_onset() -> None:
     found = onset(RAIL, over={"v": (300, 2100)}, check=False, effort=Effort(seconds=60))
     assert (found.proved, found.kind) == (True, Kind.CROSSES), found.reason
     assert float(found.value) == pytest.approx(329.780659548998, rel=1e-12)
+
+
+def test_the_certificate_of_a_part_is_not_that_of_the_strip_beside_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "last_strip", lambda *_: SimpleNamespace())
+    wire = Problem(WIRE, [vehicles.Mass(20).at(0), vehicles.Mass(20).at(30)], v=100)
+    (speed,) = speeds_within(wire, {"v": (Fraction(100), Fraction(200))})
+    own = {"v": (Fraction(100), Fraction(150))}
+    found = Crossings(wire, own, Status.PROVED, counts=(0,), certificate="of 100 to 150")
+    whole = module._up_to(wire, found, speed, None)
+    assert (whole.status, whole.certificate) == (Status.UNVERIFIED, None)
+    assert [(part.over, part.certificate) for part in whole.parts[:1]] == [(own, "of 100 to 150")]
+    assert (whole.parts[1].status, whole.parts[1].certificate) == (Status.UNVERIFIED, None)
