@@ -58,7 +58,7 @@ if TYPE_CHECKING:
     from mpsolve.ranges.crossings import crossings as crossings
     from mpsolve.ranges.onset import Onset as Onset
     from mpsolve.ranges.onset import onset as onset
-    from mpsolve.ranges.robustness import Robust as Robust
+    from mpsolve.ranges.robust_answer import Robust as Robust
     from mpsolve.ranges.sensitivity import Sensitivity as Sensitivity
     from mpsolve.ranges.sensitivity import sensitivity as sensitivity
     from mpsolve.ranges.table import Table as Table
@@ -144,7 +144,7 @@ _NAMES = {
     "loci.lines": "frequency_lines",
     "loci.answer": "FrequencyLines FrequencyLine LineEnd",
     "ranges.chart": "stability_chart Chart",
-    "ranges.robustness": "Robust",
+    "ranges.robust_answer": "Robust",
     "ranges.table": "stability_table Table",
     "vehicles.load": "Load",
     "vibration.response": "response",

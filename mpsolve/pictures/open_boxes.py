@@ -7,7 +7,7 @@ from itertools import combinations
 from mpsolve.pictures.axes import HIGH, LEFT, RIGHT, TOP, WIDE, Axes, alone, box, disc, svg, text
 from mpsolve.pictures.proved_chart import axis_title
 from mpsolve.problem.over import Over
-from mpsolve.ranges.robustness import Robust
+from mpsolve.ranges.robust_answer import Robust
 from mpsolve.report.ranges_asked import Asked
 
 _DRAWN = 400  # open parts

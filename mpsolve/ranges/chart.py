@@ -33,8 +33,8 @@ from mpsolve.ranges.boundary import Boundary, boundaries
 from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, next_to, parts_of
 from mpsolve.ranges.cells_by_theorem import Decided, decided
 from mpsolve.ranges.certified import Base, chart_certificate
+from mpsolve.ranges.chart_parts import Part, counted, point_in
 from mpsolve.ranges.meeting import Meeting, meetings
-from mpsolve.ranges.parts import Part, counted, point_in
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
 from mpsolve.ranges.strips import free_cells, strips_of
 from mpsolve.ranges.undamped import at_corner, left_open

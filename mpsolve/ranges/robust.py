@@ -27,7 +27,7 @@ from mpsolve.ranges.certified import Base, stable_certificate
 from mpsolve.ranges.glance import corners_and_more, count_seen
 from mpsolve.ranges.in_processes import InProcesses
 from mpsolve.ranges.never import never_unstable
-from mpsolve.ranges.robustness import Robust
+from mpsolve.ranges.robust_answer import Robust
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
 from mpsolve.ranges.verified import verified
 

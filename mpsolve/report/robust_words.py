@@ -6,7 +6,7 @@ from mpsolve.numbers.spoken import beside, rounded
 from mpsolve.outcome import Status
 from mpsolve.ranges.chart import Chart
 from mpsolve.ranges.meeting import Meeting
-from mpsolve.ranges.robustness import Robust
+from mpsolve.ranges.robust_answer import Robust
 from mpsolve.report.ranges_asked import Asked
 from mpsolve.report.ranges_words import Said, framed, growing, undecided
 from mpsolve.report.spectrum_words import ASSUMED

@@ -19,7 +19,7 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
 from mpsolve.ranges.answer import Interval, Spent
 from mpsolve.ranges.robust import at_first_sight, prove_box
-from mpsolve.ranges.robustness import Robust
+from mpsolve.ranges.robust_answer import Robust
 from mpsolve.ranges.scope import checked_over, from_above_rest
 from mpsolve.studies.plan import BOXES
 from mpsolve.studies.run import Study, study

@@ -9,7 +9,7 @@ from free_cases import BEAM, PAIR
 from mpsolve import Problem
 from mpsolve.outcome import Reason, Status
 from mpsolve.pictures.open_boxes import open_boxes
-from mpsolve.ranges.robustness import Robust
+from mpsolve.ranges.robust_answer import Robust
 from mpsolve.report.ranges_asked import asked
 
 PROBLEM = Problem(BEAM, PAIR, v="0.5")

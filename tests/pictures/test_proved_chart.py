@@ -13,8 +13,8 @@ from mpsolve.outcome import Status
 from mpsolve.pictures.proved_chart import borders, drawn, ends, numbers, open_words, places
 from mpsolve.ranges.boundary import Boundary
 from mpsolve.ranges.chart import Chart
+from mpsolve.ranges.chart_parts import Part
 from mpsolve.ranges.meeting import Meeting
-from mpsolve.ranges.parts import Part
 
 EDGES = tuple(Fraction(k, 4) for k in range(5))
 

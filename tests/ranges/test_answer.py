@@ -22,7 +22,7 @@ from mpsolve.ranges.chart import Chart
 from mpsolve.ranges.crossed import Crossing, Crossings
 from mpsolve.ranges.entry import Entry
 from mpsolve.ranges.onset import Kind, Onset
-from mpsolve.ranges.robustness import Robust
+from mpsolve.ranges.robust_answer import Robust
 from mpsolve.ranges.sensitivity import Moved, Sensitivity
 from mpsolve.ranges.table import Table
 from mpsolve.ranges.unstable import Unstable, UnstableRanges

@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from chart_counts import floats_agree
 
-from mpsolve import Effort, InputError, Problem, certify, frequencies, tracks, vehicles
+from mpsolve import Effort, InputError, Problem, certify, tracks, vehicles
 from mpsolve.outcome import Status
 from mpsolve.ranges.cells import BOUNDARY, OPEN
 from mpsolve.ranges.chart import Chart, stability_chart
@@ -105,17 +106,6 @@ def test_a_divergence_has_a_boundary_of_its_own() -> None:
     assert np.ptp(curve.x) < 1e-6
     assert found.at("1.22", 1) == 0
     assert found.at("1.27", 1) == 1
-
-
-def floats_agree(found: Chart, number: int = 80) -> None:
-    """Counts in floats at points of decided cells."""
-    cells = np.random.default_rng(1).permutation(np.argwhere(found.detail >= 0))[:number]
-    share = (cells + 0.37) / found.detail.shape
-    x, y = (float(e[0]) + share[:, k] * float(e[-1] - e[0]) for k, e in enumerate((found.x, found.y)))
-    seen = frequencies(found.problem, dict(zip(found.over, (x, y), strict=True)), roots=False)
-    known = seen.status == "ok"
-    assert known.mean() > 0.9
-    assert (seen.count == found.detail[tuple(cells.T)])[known].all()
 
 
 @pytest.mark.parametrize(("above", "curves"), [(Fraction(-1, 10**5), 1), (Fraction(1, 10**5), 2)])

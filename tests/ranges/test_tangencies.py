@@ -7,11 +7,11 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-import numpy as np
 import pytest
+from chart_counts import floats_agree
 from chart_meetings import MEETINGS, beam
 
-from mpsolve import Problem, frequencies, vehicles
+from mpsolve import Problem, vehicles
 from mpsolve.ranges.chart import Chart, stability_chart
 
 EQUAL = Problem(beam("0.2"), [vehicles.Mass(20).at(x) for x in (0, "1.54", "3.2")], v=1)
@@ -42,13 +42,7 @@ def numbers(found: Chart) -> list[int]:
 
 def agree(found: Chart, number: int = 300) -> None:
     """Every decided cell that is looked at has the number that floats count in it; little stays open."""
-    cells = np.random.default_rng(1).permutation(np.argwhere(found.detail >= 0))[:number]
-    share = (cells + 0.37) / found.detail.shape
-    x, y = (float(e[0]) + share[:, k] * float(e[-1] - e[0]) for k, e in enumerate((found.x, found.y)))
-    seen = frequencies(found.problem, dict(zip(found.over, (x, y), strict=True)), roots=False)
-    known = seen.status == "ok"
-    assert known.mean() > 0.95
-    assert (seen.count == found.detail[tuple(cells.T)])[known].all()
+    floats_agree(found, number, 0.95)
     assert found.share > 0.85
 
 

@@ -13,8 +13,8 @@ from mpsolve.outcome import Status
 from mpsolve.problem.over import Over
 from mpsolve.ranges.boundary import Boundary
 from mpsolve.ranges.chart import Chart
+from mpsolve.ranges.chart_parts import Part
 from mpsolve.ranges.meeting import Meeting
-from mpsolve.ranges.parts import Part
 from mpsolve.report.robust_words import _chart, _chart_verdict, _what_is_certified
 
 

@@ -11,9 +11,9 @@ from free_cases import BEAM, PAIR
 
 from mpsolve import Effort, Problem, certify
 from mpsolve.progress import silent
-from mpsolve.ranges import parts
+from mpsolve.ranges import chart_parts
 from mpsolve.ranges.cells import OPEN
-from mpsolve.ranges.parts import counted, point_in
+from mpsolve.ranges.chart_parts import counted, point_in
 
 PROBLEM = Problem(BEAM, PAIR, v="0.9")
 OVER = {"v": (Fraction(1, 2), Fraction(1)), "scale.mass": (Fraction(1), Fraction(2))}
@@ -42,7 +42,7 @@ def test_parts_are_counted_at_a_point_the_greatest_first(monkeypatch: pytest.Mon
         point = PROBLEM.changed("v", part.point["v"]).changed("scale.mass", part.point["scale.mass"])
         assert certify(point, region="unstable", check=False).unstable == part.roots
     assert (detail[regions < 0] == -1).all()
-    monkeypatch.setattr(parts, "_MOST_PARTS", 1)
+    monkeypatch.setattr(chart_parts, "_MOST_PARTS", 1)
     found, regions, reason, detail = of(fine)
     assert (len(found), reason.code) == (1, "parts")
     assert (detail[fine == 2] == OPEN).all()

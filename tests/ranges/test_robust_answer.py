@@ -7,7 +7,7 @@ from free_cases import BEAM, PAIR
 
 from mpsolve import Problem
 from mpsolve.outcome import Status
-from mpsolve.ranges.robustness import Robust
+from mpsolve.ranges.robust_answer import Robust
 
 
 def test_open_boxes_are_rows_and_a_counterexample_is_named() -> None:
