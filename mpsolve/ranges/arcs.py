@@ -28,12 +28,10 @@ from mpsolve.numbers.jets import UP, U
 from mpsolve.numbers.quadratic import Quadratic, pairs
 from mpsolve.proof.subdivide import OPEN
 from mpsolve.proof.vanishing import Scalar, guess, nonzero, scalar
-from mpsolve.ranges.judge import Judge
+from mpsolve.ranges.judge import ARC, Judge
 from mpsolve.ranges.mirrored import at_zero, beside_zero
 from mpsolve.ranges.ridge import REGULAR, solved, solved_size, unevenness
 
-ARC = 5
-"""A kind of leaf, beside those of `judge`: the zeros in it are a part of one arc, at q = 0 of one of each kind."""
 SHARE = 0.4
 """Of a model's box: that of which is spoken."""
 HALF = 0.5  # of a model's box: where the zeros are a graph

@@ -23,9 +23,8 @@ from mpsolve.problem.family import Family
 from mpsolve.problem.free_equations import FreeEquations, free_equations
 from mpsolve.proof.sheared import SLOPED
 from mpsolve.proof.subdivide import OPEN, Tree
-from mpsolve.ranges.arcs import ARC
 from mpsolve.ranges.enclosed import Crossing
-from mpsolve.ranges.judge import ABSORBING, KNOWN, NONZERO, OUTSIDE, PASSIVE
+from mpsolve.ranges.judge import ABSORBING, ARC, KNOWN, NONZERO, OUTSIDE, PASSIVE
 from mpsolve.ranges.scope import Scope
 
 _MARKS = {NONZERO: "n", PASSIVE: "p", ABSORBING: "g", KNOWN: "z", ARC: "o", OPEN: "o", OUTSIDE: "b"}

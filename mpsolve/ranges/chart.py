@@ -28,12 +28,13 @@ from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import Tree, subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, growing, uncounted
-from mpsolve.ranges.arcs import ARC, ArcJudge
+from mpsolve.ranges.arcs import ArcJudge
 from mpsolve.ranges.boundary import Boundary, boundaries
 from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, next_to, parts_of
 from mpsolve.ranges.cells_by_theorem import Decided, decided
 from mpsolve.ranges.certified import Base, chart_certificate
 from mpsolve.ranges.chart_parts import Part, counted, point_in
+from mpsolve.ranges.judge import ARC
 from mpsolve.ranges.meeting import Meeting, meetings
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
 from mpsolve.ranges.strips import free_cells, strips_of

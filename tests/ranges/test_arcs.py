@@ -10,8 +10,8 @@ from chart_meetings import MEETINGS
 
 from mpsolve.numbers.quadratic import Quadratic
 from mpsolve.proof.subdivide import OPEN
-from mpsolve.ranges import judge
-from mpsolve.ranges.arcs import ARC, ArcJudge, arcs, arcs_over
+from mpsolve.ranges.arcs import ArcJudge, arcs, arcs_over
+from mpsolve.ranges.judge import ABSORBING, ARC, KNOWN, NONZERO, OUTSIDE, PASSIVE
 from mpsolve.ranges.scope import Scope, checked_over, scope_of
 
 
@@ -98,5 +98,5 @@ def test_a_box_beside_the_curve_of_pairs_has_the_other_alone(corner: tuple[Scope
 
 def test_kinds_of_leaves_are_told_apart() -> None:
     """Trees of charts have both kinds of leaves in one array."""
-    kinds = [OPEN, judge.NONZERO, judge.PASSIVE, judge.KNOWN, judge.OUTSIDE, ARC]
+    kinds = [OPEN, NONZERO, PASSIVE, ABSORBING, KNOWN, OUTSIDE, ARC]
     assert len(set(kinds)) == len(kinds)

@@ -10,14 +10,16 @@ from mpsolve.certificate.verify_ranges import verify_bytes
 from mpsolve.errors import CertificateError
 from mpsolve.numbers.balls import precision
 from mpsolve.proof.sheared import SLOPED
-from mpsolve.proof.subdivide import Tree
+from mpsolve.proof.subdivide import OPEN, Tree
 from mpsolve.ranges.certified import ball_entry, chart_certificate, tree_text, with_room
 from mpsolve.ranges.enclosed import Crossing
+from mpsolve.ranges.judge import KNOWN, NONZERO, PASSIVE
 from mpsolve.ranges.scope import checked_over, scope_of
 
 
 def test_trees_are_written_halves_after_their_wholes() -> None:
-    kind, axis, child = np.array([0, 1, 0, 2, 3]), np.array([1, -1, 0, -1, -1]), np.array([1, -1, 3, -1, -1])
+    kind = np.array([OPEN, NONZERO, OPEN, PASSIVE, KNOWN])
+    axis, child = np.array([1, -1, 0, -1, -1]), np.array([1, -1, 3, -1, -1])
     assert tree_text(Tree(np.zeros((2, 5)), np.ones((2, 5)), kind, axis, child)) == "1n0pz"
     low = np.zeros((3, 5))
     low[2, 1:] = -0.75
