@@ -111,19 +111,11 @@ def _text(answer: Any) -> str:
     if not answer.proved:
         return "\n".join([*lines, f"Undecided: {answer.reason}."])
     number = "no zeros" if not answer.count else "1 zero" if answer.count == 1 else f"{answer.count} zeros"
-    lines.append(
-        f"{answer.status.value.capitalize()}: {number} in {_where(answer.region)}, counted with multiplicity."
-    )
+    lines.append(f"{answer.status.value.capitalize()}: {number} in {answer.where}, counted with multiplicity.")
     for zero in answer.roots:
         times = f"   {zero.multiplicity} times" if zero.multiplicity > 1 else ""
         lines.append(f"  {zero.q.str(answer.digits)}{times}")
     return "\n".join(lines)
-
-
-def _where(region: Any) -> str:
-    if isinstance(region, tuple):
-        return f"[{float(region[0]):.8g}, {float(region[1]):.8g}]"
-    return str(region).replace(" q ", " z ")
 
 
 def _data(answer: Any) -> dict[str, Any]:
@@ -135,7 +127,7 @@ def _data(answer: Any) -> dict[str, Any]:
         "format": "mpsolve roots",
         "version": 1,
         "function": answer.function,
-        "region": _where(answer.region),
+        "region": answer.where,
         "status": answer.status.value,
         "count": answer.count,
         "zeros": zeros,
