@@ -7,27 +7,18 @@ its row among the bodies; column operations clear the rest of the row, so the de
 
 from __future__ import annotations
 
-from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from mpsolve.characteristic.bordering import Direct, direct_contacts
 from mpsolve.characteristic.discs import split
 from mpsolve.characteristic.residues import receptances, waves
 from mpsolve.characteristic.table import Table
 from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import TINY, UP, Jet, U, nearest
 from mpsolve.problem.reduced import Reduced
-
-
-@frozen
-class Direct:
-    """Contact `contact` moves with body `body` alone: Bᵀ has the single entry `b` there."""
-
-    body: int
-    contact: int
-    b: Fraction
 
 
 @frozen
@@ -178,16 +169,6 @@ class Arrays:
         """lost: a bound of relative errors beside those of rounding."""
         a = np.broadcast_to(matrix.astype(complex), (len(r), *matrix.shape))
         return Jet(a, np.zeros(a.shape, complex), (2 * U + lost) * np.abs(a), r)
-
-
-def direct_contacts(reduced: Reduced) -> tuple[Direct, ...]:
-    """The contacts that are tight and alone on a body that has no other contact."""
-    out = []
-    for j in range(reduced.contacts):
-        bodies = [i for i, row in enumerate(reduced.B) if row[j]]
-        if reduced.h[j] == 0 and len(bodies) == 1 and sum(map(bool, reduced.B[bodies[0]])) == 1:
-            out.append(Direct(bodies[0], j, reduced.B[bodies[0]][j]))
-    return tuple(out)
 
 
 def _beside(left: Jet, right: Jet) -> Jet:

@@ -13,7 +13,8 @@ from track_models import DAMPED
 from vehicle_models import TYPICAL, random_vehicles
 
 from mpsolve import vehicles
-from mpsolve.characteristic.bordered import Arrays, direct_contacts
+from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.bordering import direct_contacts
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 
@@ -135,16 +136,6 @@ def test_the_pencil_holds_the_truth_where_masses_dominate() -> None:
             assert off <= float(S.e[0, i, j])
             second = abs(float(reduced.S[2][i][j])) * 0.49
             assert S.e[0, i, j] <= second * (1 + 1e-9) + 1e-13 * (1 + abs(complex(x)))
-
-
-def test_direct_contacts_are_those_alone_on_their_body() -> None:
-    loose = vehicles.Vehicle(
-        M=[[1, 0], [0, 1]], C=[[0, 0], [0, 0]], K=[[0, 0], [0, 0]], B=[[1, 1, 0], [0, 0, 2]], places=[0, 1, 3]
-    )
-    found = direct_contacts(reduce_problem(Problem(BEAM, loose, v=1)))
-    assert [(d.body, d.contact) for d in found] == [(1, 2)]
-    sprung = vehicles.Oscillator(wheel=9, body=5, k=1, c=2, k_contact=7)
-    assert not direct_contacts(reduce_problem(Problem(BEAM, sprung, v=1)))
 
 
 def test_the_receptance_between_places_is_that_of_their_signed_distance() -> None:
