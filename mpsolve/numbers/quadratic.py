@@ -175,7 +175,7 @@ class Quadratic:
         return Quadratic(k, (self.e.sum(axis) + lost) * UP + TINY, self.m)
 
 
-def joined(parts: Iterator[Quadratic] | list[Quadratic], axis: int) -> Quadratic:
+def joined(parts: Iterator[Quadratic] | list[Quadratic], axis: int = -1) -> Quadratic:
     """Side by side along an axis counted from the end."""
     every = list(parts)
     k = np.concatenate([part.k for part in every], axis)
