@@ -131,12 +131,12 @@ class Bordering:
 
     def at(self, K: Arithmetic, sigma: Any, g: Sequence[Any]) -> Any:
         """The matrix A(σ) of an arithmetic."""
-        return K.matrix(self.matrix(_values(K, sigma, self.polynomials), _vector(g)))
+        return K.matrix(self.matrix(_values(K, sigma, self.polynomials), vector(g)))
 
     def slope_at(self, K: Arithmetic, sigma: Any, g: Sequence[Any], g_slope: Sequence[Any]) -> Any:
         """A'(σ)."""
         f, f_slope = (_values(K, sigma, rows) for rows in (self.polynomials, self._rates))
-        return K.matrix(self.slope(f, _vector(g), f_slope, _vector(g_slope)))
+        return K.matrix(self.slope(f, vector(g), f_slope, vector(g_slope)))
 
     @cached_property
     def _rates(self) -> list[tuple[Any, ...]]:
@@ -144,10 +144,10 @@ class Bordering:
 
 
 def _values(K: Arithmetic, sigma: Any, rows: Sequence[Any]) -> Any:
-    return _vector([K.evaluate(row, sigma) for row in rows])
+    return vector([K.evaluate(row, sigma) for row in rows])
 
 
-def _vector(scalars: Sequence[Any]) -> Any:
+def vector(scalars: Sequence[Any]) -> Any:
     """An array of scalars of any kind."""
     return np.fromiter(scalars, object, len(scalars))
 
