@@ -87,6 +87,11 @@ class Bordering:
         return Bordering(tuple(found), tuple(distances), which, direct, kept, waves, tuple(rows))
 
     @cached_property
+    def signs(self) -> list[int]:
+        """Of the distances; where the contacts keep their order they are the same for all values of parameters."""
+        return [(x > 0) - (x < 0) for x in self.distances]
+
+    @cached_property
     def one_each(self) -> tuple[list[int], list[int]]:
         """Two contacts for each distance."""
         found = {k: (i, j) for i, row in enumerate(self.which) for j, k in enumerate(row)}

@@ -113,9 +113,8 @@ class FreeProved:
         G: list[Any] = []
         out: list[list[Any]] = [[] for _ in each]
         weights = [term.w for term in each[0]] if each else list(split.weights)
-        zero = self.border.distances[0] * 0
-        for distance in self.border.distances:
-            side, sign = (slice(0, self.upper), 1) if not distance < zero else (slice(self.upper, None), -1)
+        for distance, way in zip(self.border.distances, self.border.signs, strict=True):
+            side, sign = (slice(0, self.upper), 1) if way >= 0 else (slice(self.upper, None), -1)
             xi = value_at(distance, x)
             waves = [(xi * z).exp() * sign for z in split.roots[side]]
             G.append(sum((w * e for w, e in zip(weights[side], waves, strict=True)), acb(0)))

@@ -60,3 +60,10 @@ def test_equal_entries_stand_once() -> None:
     masses = Bordering.of(reduce_problem(Problem(BEAM, vehicles.train(vehicles.Mass(3), 8, 1), "0.7")))
     assert len(masses.distances) == len({cell for row in masses.cells for cell in row}) == 15
     assert len(masses.polynomials) == 3  # 0, −S/b and −b
+
+
+def test_waves_add_no_polynomial() -> None:
+    reduced = reduce_problem(Problem(BEAM, [BOGIE.at(1), vehicles.Mass(3).at(-1)], "0.7"))
+    one, two, three = (Bordering.of(reduced, waves=waves) for waves in (0, 1, 2))
+    assert one.polynomials == two.polynomials == three.polynomials
+    assert [len(border.cells) for border in (one, two, three)] == [7, 8, 9]
