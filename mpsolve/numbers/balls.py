@@ -115,7 +115,7 @@ class Balls:
         return row(acb_poly([middle, 1]))(z - middle)
 
     def matrix(self, rows: Sequence[Sequence[Any]]) -> Any:
-        return acb_mat([list(row) for row in rows]) if rows else acb_mat(0, 0)
+        return acb_mat([list(row) for row in rows]) if len(rows) else acb_mat(0, 0)
 
     def times(self, a: Any, factor: Any) -> Any:
         return a * acb(factor)
