@@ -1183,8 +1183,9 @@ class Split:
 
 def p_roots(local: Local) -> list[Any]:
     """Near the roots of D(·, m), exact numbers, to half of the digits computed with: nothing rests on them."""
-    D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
-    size = abs(D[0] / D[local.degree]) ** arb(fmpq(1, local.degree))
+    D, n = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)]), local.degree
+    low = next((k for k in range(n) if D[k] != 0), 0)  # 0 may be a root
+    size = abs(D[low] / D[n]) ** arb(fmpq(1, n - low))
     try:
         D.roots(maxprec=2000)  # where two are one that is told before the digits cost much
         found = D.roots(tol=size * arb(2) ** (-flint.ctx.prec // 2), maxprec=2 * flint.ctx.prec + 1000)
@@ -1217,6 +1218,8 @@ def split_near(local: Local, known: Known) -> Split:
         z = [(x - y).mid() for x, y in zip(z, step, strict=True)]
         if k > 1 and all(abs(y) < near for y in step):  # the next one is about as its square
             break
+    else:  # real numbers find no complex roots, and where all are of one side any nodes would do for the pair
+        return nodes_near(local, known).split()
     try:
         return Nodes(z, known[1], local).split()
     except Refused:
