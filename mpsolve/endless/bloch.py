@@ -21,6 +21,7 @@ from mpsolve.characteristic.floats import Receptance
 from mpsolve.characteristic.receptance import Coefficients, Terms
 from mpsolve.endless.lattice import Lattice
 from mpsolve.endless.row import Row
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.float64 import Float64
 
 _K = Float64()
@@ -53,7 +54,7 @@ class Bloch:
         all_ = Coefficients(*rows).terms(z)
         return [Terms(*(part[:, k] for part in (all_.z, all_.w, all_.a, all_.b))) for k in range(z.shape[1])]
 
-    def delta(self, sigma: Any, z: Any) -> tuple[Any, Any]:
+    def delta(self, sigma: Any, z: Complexes) -> tuple[Complexes, Complexes]:
         """Δ̂(z, σ) and its slope in σ; σ and z arrays of one shape."""
         sigma, z = np.atleast_1d(np.asarray(sigma, complex)), np.atleast_1d(np.asarray(z, complex))
         lattice = Lattice(self.border.distances, self.row.step)
@@ -85,7 +86,7 @@ class Bloch:
         own = np.exp(np.where(ahead, P, -P) * d)
         return own[:, :, None] * np.eye(P.shape[1]) + given @ forces
 
-    def multipliers(self, sigma: Any) -> Any:
+    def multipliers(self, sigma: Any) -> Complexes:
         """The roots z of Δ̂(·, σ), ascending in modulus, shape (len(σ), n).
 
         Those of modulus far from 1, beyond 1e±12, are known to be so, but not to many digits.

@@ -51,7 +51,7 @@ class Family:
     v: Several
     places: tuple[Several, ...]
     index: tuple[int, ...]
-    S: tuple[Any, Any, Any]
+    S: tuple[tuple[tuple[Several, ...], ...], tuple[tuple[Several, ...], ...], tuple[tuple[Several, ...], ...]]
     B: Any
     h: tuple[Several, ...]
 
@@ -172,7 +172,7 @@ def _at_shares(problem: Problem, over: Mapping[str, Interval], shares: Mapping[s
     return problem
 
 
-def factors_last(entries: list[tuple[str, Any, Any]]) -> list[tuple[str, Any, Any]]:
+def factors_last(entries: list[tuple[str, Any, Any]]) -> list[tuple[str, Fraction | None, Any]]:
     return sorted(entries, key=lambda entry: entry[0].startswith("scale."))
 
 
@@ -214,11 +214,11 @@ def _vehicle(pencil: Pencil, base: Reduced, ring: Ring) -> tuple[tuple[Any, Any,
     return (_constants(free[0], ring), _constants(free[1], ring), _constants(free[2], ring)), right
 
 
-def _values(rows: Any, x: Sequence[Fraction]) -> Rows:
+def _values(rows: Sequence[Sequence[Several]], x: Sequence[Fraction]) -> Rows:
     return tuple(tuple(c.at(x) for c in row) for row in rows)
 
 
-def _constants(rows: Any, ring: Ring) -> Any:
+def _constants(rows: Any, ring: Ring) -> tuple[tuple[Several, ...], ...]:
     return tuple(tuple(ring.constant(x) for x in row) for row in rows)
 
 

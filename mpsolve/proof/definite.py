@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.proof.turning import weighed
 
@@ -13,7 +14,7 @@ _DEFINITE = 0.9  # less than what holds, for a checker with wider bounds
 
 
 @np.errstate(all="ignore")
-def positive_definite(H: Any, E: Any, most: float = 0.98) -> Any:
+def positive_definite(H: Any, E: Reals, most: float = 0.98) -> Any:
     """Whether H₀ + Σ ε_k H_k + R is positive definite for all |ε_k| ≤ 1 and Hermitian |R| ≤ E, entry by entry.
 
     H: (boxes, 1 + k, n, n), E: (boxes, n, n). X H X* = 1 + F with |F| x ≤ θ x, θ < 1, for some regular X and x > 0;
@@ -37,7 +38,7 @@ def positive_definite(H: Any, E: Any, most: float = 0.98) -> Any:
     return finite & sane & (weighed(F)[1] < most)
 
 
-def positive(V: Jet, way: Any, drift: Any) -> Any:
+def positive(V: Jet, way: Any, drift: Reals) -> Any:
     """True where V + V* is positive definite for t along `way` |t| ≤ r, to within `drift` of the line."""
     n, r = V.a.shape[1], V.r[:, None, None]
     with np.errstate(all="ignore"):
