@@ -127,6 +127,7 @@ def family_of(problem: Problem, over: Mapping[str, Interval]) -> Family:
     _require_order(places, over, units)
     S, B = _vehicle(pencil, base, ring)
     h = tuple(ring.constant(x) / base.guide.g for x in pencil.h)
+    _require_contacts(h, over)
     return Family(
         problem=problem,
         over=dict(over),
@@ -174,6 +175,14 @@ def _at_shares(problem: Problem, over: Mapping[str, Interval], shares: Mapping[s
 
 def factors_last(entries: list[tuple[str, Any, Any]]) -> list[tuple[str, Fraction | None, Any]]:
     return sorted(entries, key=lambda entry: entry[0].startswith("scale."))
+
+
+def _require_contacts(h: tuple[Several, ...], over: Mapping[str, Interval]) -> None:
+    for powers, _ in (term for x in h for term in x):
+        for path, power in zip(over, powers, strict=True):
+            if power < 0 and over[path][0] == 0:
+                stated = "begins at 0, where a contact spring carries no force and its compliance has no limit"
+                raise InputError(path, f"{stated}: begin above 0")
 
 
 def _base(
