@@ -1210,7 +1210,8 @@ def nodes_near(local: Local, known: Known | None = None) -> Nodes:
 def split_near(local: Local, known: Known) -> Split:
     """The pair over a place, or Refused: from nodes that go on from known ones, or next to them."""
     D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
-    z, slope = known[0], D.derivative()
+    z: list[acb] = known[0]
+    slope = D.derivative()
     near = max(abs(x).upper() for x in z) * arb(2) ** (-flint.ctx.prec // 4)
     for k in range(flint.ctx.prec.bit_length() + 4):  # by Newton's method: nothing rests on it
         step = [(D(x) / slope(x)).mid() for x in z]
@@ -2349,7 +2350,8 @@ def meeting(track: Track) -> list[tuple[Any, int]]:
     moved, squares = track.D.compose(P_, S_ - track.v * P_, ctx=RING), [fmpq(0)] * 13
     for (_, j), c in terms(moved.discriminant("P")).items():
         squares[j // 2] += c * (-1) ** (j // 2)
-    return list(fmpq_poly(squares).complex_roots())
+    found: list[Any] = list(fmpq_poly(squares).complex_roots())
+    return found
 
 
 def check_far(sheet: Sheet, W: Any, rho: Any) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -36,6 +37,16 @@ class Mode:
             total = total + np.multiply.outer(row, power)
         twice = 2.0 if self.sigma.imag > 0 else 1.0
         return twice * (total * np.exp(self.sigma * times)).real
+
+    def most(self, time: float) -> Any:
+        """By channels, no less than the size of the motion from this time ≥ 0 on; infinite where it grows."""
+        decay, total = -self.sigma.real, 0 * np.abs(self.moments[0])
+        for m, row in enumerate(self.moments):
+            if decay < 0 or (m and decay == 0):
+                return total + np.inf
+            at = max(time, m / decay) if m else time  # t^m e^{σt} falls from m/|Re σ| on
+            total = total + np.abs(row) * at**m / math.factorial(m) * math.exp(-decay * at)
+        return 2 * total
 
     def rate(self, times: Any) -> Any:
         """d/dt of it."""
