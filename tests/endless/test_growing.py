@@ -9,6 +9,7 @@ from endless_rows import brute_sum, masses
 from mpsolve import Problem, tracks, vehicles
 from mpsolve.endless.bloch import Bloch
 from mpsolve.endless.growing import find_growing, prove_growing
+from mpsolve.endless.infinite_train import reach_of
 from mpsolve.endless.row import row_of
 from mpsolve.numbers.balls import acb, arb
 
@@ -56,7 +57,7 @@ def test_newton_may_end_at_a_matrix_that_is_singular_in_floats(spacing: str) -> 
     row = row_of(
         Problem(tracks.Rayleigh(EI=1, m=1, J="0.107", k=1, c="1.3"), vehicles.Mass("3.06"), v="1.53"), spacing
     )
-    found = find_growing(row, 4.0)
+    found = find_growing(row, reach_of(row))
     assert found is not None
     q = complex(found.q)
     sigma = 1j * q * 2.0**row.reduced.guide.time
