@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.bordering import Bordering
-from mpsolve.characteristic.floats import Receptance
+from mpsolve.characteristic.floats import Receptance, det_and_slope
 from mpsolve.characteristic.receptance import Coefficients, Terms
 from mpsolve.endless.lattice import Lattice
 from mpsolve.endless.row import Row
@@ -60,10 +60,7 @@ class Bloch:
         lattice = Lattice(self.border.distances, self.row.step)
         with np.errstate(all="ignore"):
             G, slopes = lattice.sums(self.terms(sigma), self.upper, z, float, np.exp)
-            A = self.border.at(_K, sigma, G)
-            value = np.linalg.det(A)
-            turned = np.linalg.solve(A, self.border.slope_at(_K, sigma, G, slopes))
-        return value, value * turned.trace(axis1=-2, axis2=-1)
+            return det_and_slope(self.border.at(_K, sigma, G), self.border.slope_at(_K, sigma, G, slopes))
 
     def scatterer(self, sigma: Any) -> Any:
         """S with [a'; b'] = S [a; b], shape (len(σ), n, n), n p-roots, the upper ones first."""

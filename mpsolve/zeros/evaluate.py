@@ -41,7 +41,7 @@ class Evaluator:
         self.depends = dependent(self.steps)
         self._ready: dict[int, list[Any]] = {}
 
-    def _constants(self) -> list[acb | None]:
+    def constants(self) -> list[acb | None]:
         """A fresh list with the constants in their places."""
         bits = bits_now()
         if bits not in self._ready:
@@ -53,7 +53,7 @@ class Evaluator:
 
     def run(self, z: acb, n: int) -> list[Any]:
         """The values of all steps over the ball z: balls for n = 1, else power series of n terms in its offset."""
-        values = self._constants()
+        values = self.constants()
         with terms(n):
             for k, step in enumerate(self.steps):
                 if self.depends[k]:
@@ -66,8 +66,8 @@ class Evaluator:
         beyond: a branch point at an end of the line, and the direction in which the line goes on from it away from
         the cut: then nothing is continued, and all is proved to be analytic on the closed box without that point.
         """
-        values, on_line = self._constants(), self._constants()
-        at_tip = self._constants()
+        values, on_line = self.constants(), self.constants()
+        at_tip = self.constants()
         for k, step in enumerate(self.steps):
             if not self.depends[k]:
                 continue

@@ -11,13 +11,14 @@ from typing import Any, Protocol
 from flint import acb, acb_series
 
 from mpsolve.errors import InputError, PrecisionError
-from mpsolve.numbers.balls import arb, bits_now, square, terms
+from mpsolve.numbers.balls import arb, bits_now, precision, square, terms
 from mpsolve.numbers.taylor import SAMPLES, Taylor, taylor
 from mpsolve.zeros.evaluate import Evaluator, coefficients
 from mpsolve.zeros.fraction import factors, guards
-from mpsolve.zeros.program import Expression, reduced
+from mpsolve.zeros.program import CUT, Expression, reduced
 
 _NEAR = 6
+_REAL_BITS = 128
 Side = tuple[Any, Any]
 """A line (a ball of its points) and the direction away from it."""
 
@@ -97,9 +98,14 @@ class ExpressionFunction(_Slopes):
     def entire(self) -> bool:
         return self._guarded is None
 
-    @property
+    @cached_property
     def real(self) -> bool:
-        return not any(step[0] == "i" for step in self._evaluator.steps)
+        """Without a step `i` all is real for real z, but for roots and logarithms of constants that are negative."""
+        own = self._evaluator
+        with precision(_REAL_BITS):
+            known = own.constants()
+        cut = [known[s[1]] for s, depends in zip(own.steps, own.depends, strict=True) if s[0] in CUT and not depends]
+        return all(step[0] != "i" for step in own.steps) and all(w.real > 0 or w == 0 for w in cut)
 
     @cached_property
     def _factors(self) -> dict[int, int]:
