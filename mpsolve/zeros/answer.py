@@ -54,6 +54,13 @@ class Zeros(Result):
     verified: str = ""
     cost: Cost = field(default_factory=lambda: Cost(0.0))
 
+    @property
+    def where(self) -> str:
+        """The region in words, in terms of z."""
+        if isinstance(self.region, tuple):
+            return f"[{float(self.region[0]):.8g}, {float(self.region[1]):.8g}]"
+        return str(self.region).replace(" q ", " z ")
+
     def records(self) -> Iterator[Mapping[str, Any]]:
         """A row for each zero, as floats."""
         for root in self.roots:
@@ -62,4 +69,4 @@ class Zeros(Result):
 
     def _headline(self) -> str:
         found = "zeros" if self.count is None else f"{self.count} zero{'s' * (self.count != 1)}"
-        return f"Zeros: {found} of {self.function} in {self.region}: {self.trust}"
+        return f"Zeros: {found} of {self.function} in {self.where}: {self.trust}"
