@@ -1255,7 +1255,8 @@ def newton(D: Sequence[Any], z: Sequence[Any]) -> list[Any] | None:
         try:
             c = [complex(x) for x in reversed(D)]
             found = [in_floats(c, complex(x)) for x in z]
-            return None if None in found else [acb(x) for x in found]
+            settled = [acb(x) for x in found if x is not None]
+            return settled if len(settled) == len(z) else None
         except (OverflowError, ZeroDivisionError):
             pass
     p = acb_poly(D)
