@@ -24,6 +24,9 @@ def sheet_halves(line: Line | None) -> Line:
         known = "a beam on one layer, without damping of the rail, whose cuts lie on one line"
         raise InputError("region", f'is "sheet", which is known for {known}: {_OTHERS}')
     reason = open_on_sheet(line)
+    if reason and not line.height:  # all that is asked of it but a rectangle is asked of its sheet
+        stated = f"has no damping, and {reason}, so that only rectangles are decided"
+        raise InputError("track", f"{stated}: give a Rectangle with im_max < 0, or the track some damping")
     if reason:
         raise InputError("region", f'is "sheet", but {reason}, so that its theorems do not hold: {_OTHERS}')
     return line

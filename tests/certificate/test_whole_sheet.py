@@ -80,6 +80,16 @@ def test_other_vehicles() -> None:
         certify(Problem(tracks.EulerBernoulli(**PAPER, c=3), [vehicles.Mass(1)], v="0.5"), region="sheet")
 
 
+@pytest.mark.parametrize("region", ["unstable", "sheet", None])
+def test_dampers_on_an_undamped_beam_are_refused_with_what_is_decided(region: object) -> None:
+    damped = vehicles.Oscillator(wheel=30, body=20, k=1, c="0.3")
+    problem = Problem(tracks.EulerBernoulli(**PAPER), damped, v="1.2")
+    with pytest.raises(InputError, match=r"the vehicle has dampers, .* Rectangle with im_max < 0"):
+        certify_problem(problem, region=region)
+    found = certify_problem(problem, region=Rectangle(-1, 1, -1, "-0.001"), digits=15)
+    assert (found.status, found.unstable) == (Status.PROVED, 4)
+
+
 def test_masses_at_one_place_are_one() -> None:
     row = [vehicles.Mass(30), vehicles.Mass(40), vehicles.Mass(70).at("1.5")]
     found = certify(Problem(tracks.EulerBernoulli(**PAPER, c="0.1"), row, v="0.67"), region="sheet", digits=20)
