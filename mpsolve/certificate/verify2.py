@@ -1211,8 +1211,9 @@ class Split:
 
 def p_roots(local: Local) -> list[Any]:
     """Near the roots of D(·, m), exact numbers, to half of the digits computed with: nothing rests on them."""
-    D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
-    size = abs(D[0] / D[local.degree]) ** arb(fmpq(1, local.degree))
+    D, n = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)]), local.degree
+    low = next((k for k in range(n) if D[k] != 0), 0)  # 0 may be a root
+    size = abs(D[low] / D[n]) ** arb(fmpq(1, n - low))
     try:
         D.roots(maxprec=2000)  # where two are one that is told before the digits cost much
         found = D.roots(tol=size * arb(2) ** (-flint.ctx.prec // 2), maxprec=2 * flint.ctx.prec + 1000)
@@ -1237,41 +1238,48 @@ def nodes_near(local: Local, known: Known | None = None) -> Nodes:
 def split_near(local: Local, known: Known) -> Split:
     """The pair over a place, or Refused: from nodes that go on from known ones, or next to them."""
     z = newton([local.D[i, 0].mid() for i in range(local.degree + 1)], known[0])
+    if z is None:  # real numbers find no complex roots, and where all are of one side any nodes would do for the pair
+        return nodes_near(local, known).split()
     try:
         return Nodes(z, known[1], local).split()
     except Refused:
         return nodes_near(local, known).split()
 
 
-def newton(D: Sequence[Any], z: Sequence[Any]) -> list[Any]:
-    """Nearer to the roots of Σ D_i P^i, by Newton's method, in floats where they do: nothing rests on it."""
+def newton(D: Sequence[acb], z: Sequence[acb]) -> list[acb] | None:
+    """Nearer to the roots of Σ D_i P^i, by Newton's method, in floats where they do: nothing rests on it.
+
+    None where it does not settle.
+    """
     if flint.ctx.prec <= 64:
         try:
             c = [complex(x) for x in reversed(D)]
-            return [acb(in_floats(c, complex(x))) for x in z]
+            first = [complex(x) for x in z]
+            near = [in_floats(c, x, 1e-9 * max(map(abs, first))) for x in first]
+            return [acb(x) for x in near if x is not None] if None not in near else None
         except (OverflowError, ZeroDivisionError):
             pass
     p = acb_poly(D)
-    slope, near = p.derivative(), max(abs(x).upper() for x in z) * arb(2) ** (-flint.ctx.prec // 4)
+    slope, small = p.derivative(), max(abs(x).upper() for x in z) * arb(2) ** (-flint.ctx.prec // 4)
     for _ in range(flint.ctx.prec.bit_length() + 4):
         step = [(p(x) / slope(x)).mid() for x in z]
         z = [(x - y).mid() for x, y in zip(z, step, strict=True)]
-        if all(abs(y) < near for y in step):  # the next one is about as its square
-            break
-    return list(z)
+        if all(abs(y) < small for y in step):  # the next one is about as its square
+            return list(z)
+    return None
 
 
-def in_floats(c: Sequence[complex], z: complex) -> complex:
+def in_floats(c: Sequence[complex], z: complex, small: float) -> complex | None:
     """A root of the polynomial with these coefficients, the highest first, near z."""
-    for _ in range(10):
+    for _ in range(12):
         value, slope = c[0], 0j
         for x in c[1:]:
             value, slope = value * z + x, slope * z + value
         step = value / slope
         z -= step
-        if abs(step) <= 1e-9 * abs(z):
-            break
-    return z
+        if abs(step) <= small:
+            return z
+    return None
 
 
 def sided(split: Split) -> bool:
@@ -2380,7 +2388,8 @@ def meeting(track: Track) -> list[tuple[Any, int]]:
     moved, squares = track.D.compose(P_, S_ - track.v * P_, ctx=RING), [fmpq(0)] * 13
     for (_, j), c in terms(moved.discriminant("P")).items():
         squares[j // 2] += c * (-1) ** (j // 2)
-    return list(fmpq_poly(squares).complex_roots())
+    found: list[Any] = list(fmpq_poly(squares).complex_roots())
+    return found
 
 
 def check_far(sheet: Sheet, W: Any, rho: Any) -> None:
