@@ -1246,38 +1246,38 @@ def split_near(local: Local, known: Known) -> Split:
         return nodes_near(local, known).split()
 
 
-def newton(D: Sequence[Any], z: Sequence[Any]) -> list[Any] | None:
-    """Nearer to the roots of Σ D_i P^i, by Newton's method, in floats where they do; None where it does not settle.
+def newton(D: Sequence[acb], z: Sequence[acb]) -> list[acb] | None:
+    """Nearer to the roots of Σ D_i P^i, by Newton's method, in floats where they do: nothing rests on it.
 
-    Nothing rests on it.
+    None where it does not settle.
     """
     if flint.ctx.prec <= 64:
         try:
             c = [complex(x) for x in reversed(D)]
-            found = [in_floats(c, complex(x)) for x in z]
-            settled = [acb(x) for x in found if x is not None]
-            return settled if len(settled) == len(z) else None
+            first = [complex(x) for x in z]
+            near = [in_floats(c, x, 1e-9 * max(map(abs, first))) for x in first]
+            return [acb(x) for x in near if x is not None] if None not in near else None
         except (OverflowError, ZeroDivisionError):
             pass
     p = acb_poly(D)
-    slope, near = p.derivative(), max(abs(x).upper() for x in z) * arb(2) ** (-flint.ctx.prec // 4)
+    slope, small = p.derivative(), max(abs(x).upper() for x in z) * arb(2) ** (-flint.ctx.prec // 4)
     for _ in range(flint.ctx.prec.bit_length() + 4):
         step = [(p(x) / slope(x)).mid() for x in z]
         z = [(x - y).mid() for x, y in zip(z, step, strict=True)]
-        if all(abs(y) < near for y in step):  # the next one is about as its square
+        if all(abs(y) < small for y in step):  # the next one is about as its square
             return list(z)
     return None
 
 
-def in_floats(c: Sequence[complex], z: complex) -> complex | None:
-    """A root of the polynomial with these coefficients, the highest first, near z; None where none is found."""
-    for _ in range(10):
+def in_floats(c: Sequence[complex], z: complex, small: float) -> complex | None:
+    """A root of the polynomial with these coefficients, the highest first, near z."""
+    for _ in range(12):
         value, slope = c[0], 0j
         for x in c[1:]:
             value, slope = value * z + x, slope * z + value
         step = value / slope
         z -= step
-        if abs(step) <= 1e-9 * abs(z):
+        if abs(step) <= small:
             return z
     return None
 
