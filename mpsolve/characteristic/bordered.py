@@ -108,11 +108,11 @@ class Arrays:
         places = np.array([nearest(x) for x in self.reduced.places])[contact]
         H = H[:, contact[:, None], contact[None, :]]
         v, back = (self._constant(np.exp(sign * at * places), H.r, 4 * U * np.abs(at * places)) for sign in (1, -1))
-        above = self._rows(_joined(H, v[:, :, None], 2), m)
+        above = self._rows(joined(H, v[:, :, None], 2), m)
         width = above.a.shape[2] - len(contact) - 1
-        low = _joined(self._constant(np.zeros(width), H.r), -back, 1)
+        low = joined(self._constant(np.zeros(width), H.r), -back, 1)
         corner = g.inverse()
-        return _joined(above, _joined(low, corner[:, None], 1)[:, None, :], 1)
+        return joined(above, joined(low, corner[:, None], 1)[:, None, :], 1)
 
     def matrix(self, G: Jet, m: Any) -> Jet:
         """The reduced characteristic matrix on the discs round m, from G between the places."""
@@ -136,7 +136,7 @@ class Arrays:
             return top
         compliance = self._constant(np.hstack([np.diag(self.h), more[:1].repeat(contacts, 0)])[indirect], G.r)
         low = _beside(self._constant(self.B.T[np.ix_(indirect, rest)], G.r), G[:, indirect, :] + compliance)
-        return _joined(top, low, 1)
+        return joined(top, low, 1)
 
     def shaken(self, contact: int, m: Any, r: Any) -> Jet:
         """The right side of `matrix`·x for an unevenness of the rail under one contact, shape (discs, n, 1).
@@ -158,7 +158,7 @@ class Arrays:
             unit[body] = -1
             return self._constant(unit, r)
         column = self._pencil(m, r)[:, :, body : body + 1] * -nearest(1 / held[contact].b)
-        return _joined(column, self._constant(np.zeros((len(indirect), 1)), r), 1)
+        return joined(column, self._constant(np.zeros((len(indirect), 1)), r), 1)
 
     @property
     def first_force(self) -> int:
@@ -191,9 +191,9 @@ def direct_contacts(reduced: Reduced) -> tuple[Direct, ...]:
 
 
 def _beside(left: Jet, right: Jet) -> Jet:
-    return _joined(left, right, 2)
+    return joined(left, right, 2)
 
 
-def _joined(one: Jet, other: Jet, axis: int) -> Jet:
+def joined(one: Jet, other: Jet, axis: int) -> Jet:
     a, b, e = (np.concatenate([getattr(one, key), getattr(other, key)], axis) for key in "abe")
     return Jet(a, b, e, other.r)

@@ -66,39 +66,40 @@ def find_roots(
     hints: Any,
     weight: Weight = both,
     on_the_way: Callable[[], None] | None = None,
+    known: Any = (),
 ) -> Any:
-    """Approximate roots q̂ in the areas, up to `count` with their mirrors; all that were found.
+    """Approximate roots q̂ in the areas beside those `known`, up to `count` with their mirrors; all that were found.
 
     on_the_way: called before every step; it may raise what ends the search.
     hints: points that are dense where Δ̂ turns fast, as those of a contour: tried before any grid.
     """
     function = Floats(reduced)
-    found = np.zeros(0, complex)
+    found, before = np.array(known, complex), len(known)
 
     def all_found(roots: Any) -> bool:
         if on_the_way is not None:
             on_the_way()
-        return sum(map(weight, roots.tolist())) >= count
+        return sum(map(weight, roots[before:].tolist())) >= count
 
     few = count <= _FEW
     for level, steps in enumerate(_SHORT if few else (_STEPS,) * len(_SHORT)):
         landed = _best(function, hints if level < 2 else _spread(hints), np.inf, len(hints))
         for area in areas if level or few else areas[:1]:
             if all_found(found):
-                return found
+                return found[before:]
             starts = landed[area.holds(landed, (_AROUND if level else _ON_LINE) * area.size)]
             starts = starts[: 8 * count + 20 if level else 2 * count + 8]
             found = _newton(function, area, starts, found, all_found, steps)
     for level in range(5):
         for area in areas:
             if all_found(found):
-                return found
+                return found[before:]
             found = _newton(function, area, _starts(function, area, level), found, all_found)
     for starts in (_towards_zero, lambda _: hints):  # rare: a heavy mass; many roots, some far from the others
         for area in areas:
             if not all_found(found):
                 found = _newton(function, area, starts(area), found, all_found)
-    return found
+    return found[before:]
 
 
 def _towards_zero(area: Area) -> Any:

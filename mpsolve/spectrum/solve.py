@@ -137,7 +137,9 @@ def _enclosed(
     left = count.total - sum(ball.multiplicity for ball in balls)
     if not left:
         return tuple(balls)
-    seeds = find_roots(reduced, areas_of(reduced, count), left, hints, weight, lambda: tell("roots", 0.5))
+    unit = float(reduced.frequency_unit)
+    known = [q for q in (complex(ball.q.mid()) / unit for ball in balls) if q.real >= 0]
+    seeds = find_roots(reduced, areas_of(reduced, count), left, hints, weight, lambda: tell("roots", 0.5), known)
     for k, q in enumerate(seeds.tolist()):
         for ball in _balls(proved, 1j * q, digits):
             _add(balls, ball, count.region, proved.lossless)
