@@ -6,6 +6,7 @@ With ζ² = t, t = z − z_b, the function ζ Δ̂ has no singularity at ζ = 0,
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -14,8 +15,9 @@ from flint import acb, arb
 from mpsolve.characteristic.local import LocalArrays
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.problem.line import Line
-from mpsolve.spectrum.branch_loops import Loop
+from mpsolve.spectrum.branch_loops import edge_points
 from mpsolve.spectrum.edge_at_rest import Rest
+from mpsolve.spectrum.near_loop import about
 from mpsolve.spectrum.sheet import SheetCount
 
 _PER_OCTAVE, _ANGLES = 3, (-0.49, -0.4, -0.25, -0.1, -0.01)  # of |ζ|; of the angle of ζ in its quadrant, times π
@@ -32,9 +34,22 @@ def near_branch_points(count: SheetCount) -> list[Any]:
     for half, sign in ((count.lower, 1), (count.upper, -1)):
         for loop in half.loops:
             if loop.ways is not None:
-                found = _found(loop.ways.near, loop, count.start.up)
-                out += [_sigma(count.line, loop, t, sign) for t in found.tolist()]
+                near = loop.ways.near
+                found = _found(near, loop.radius / 4, _CLOSE * float(near.z), count.start.up)
+                out += [_sigma(count.line, near.z, t, sign) for t in found.tolist()]
     return out
+
+
+def beside_branch_points(count: SheetCount) -> Any:
+    """Approximate roots q̂ in floats with Re q ≥ 0 about branch points, not as close as those."""
+    out, line = [], count.line
+    halves = [(line.lower, 1), *([(line.upper, -1)] if count.upper.paths else [])]
+    for point in edge_points(line) if count.rest is None else []:
+        for reduced, sign in halves:
+            found = _found(about(reduced, point.exact, point.pole), _CLOSE * point.room, point.room, count.start.up)
+            z = point.z + found
+            out += [(z if sign > 0 else z.conj()) + 1j * float(line.height)]
+    return np.concatenate(out) if out else np.zeros(0, complex)
 
 
 def _at_rest(rest: Rest) -> list[Any]:
@@ -62,16 +77,15 @@ def _at_rest(rest: Rest) -> list[Any]:
     return out
 
 
-def _sigma(line: Line, loop: Loop, t: complex, sign: int) -> Any:
+def _sigma(line: Line, branch: Fraction, t: complex, sign: int) -> Any:
     """i q̂ with q̂ = z_b + t + iη below the line of the cuts, and its mirror above it."""
     with precision(_BITS):
-        z, height = map(rational_ball, (loop.about, line.height))
+        z, height = map(rational_ball, (branch, line.height))
         return acb(-height - sign * arb(t.imag), z + arb(t.real)).mid()
 
 
-def _found(near: LocalArrays, loop: Loop, up: int) -> Any:
+def _found(near: LocalArrays, least: float, most: float, up: int) -> Any:
     """The t of roots on the lower half of the sheet, or on the real axis before the cut."""
-    least, most = loop.radius / 4, _CLOSE * float(near.z)
     if most <= least:
         return np.zeros(0, complex)
     sizes = np.geomspace(np.sqrt(least), np.sqrt(most), 2 + int(np.log2(most / least) / 2 * _PER_OCTAVE))

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from contextlib import nullcontext
 from dataclasses import field
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -24,7 +25,7 @@ from mpsolve.spectrum.candidates import find_roots
 from mpsolve.spectrum.count import Count, count_roots
 from mpsolve.spectrum.enclose import enclose
 from mpsolve.spectrum.multiple import separate
-from mpsolve.spectrum.near_roots import near_branch_points
+from mpsolve.spectrum.near_roots import beside_branch_points, near_branch_points
 from mpsolve.spectrum.partial import Partial
 from mpsolve.spectrum.reasons import reason_of, sheet_reason
 from mpsolve.spectrum.regions import Answered, HalfPlane, Rectangle, Region, Sheet
@@ -139,7 +140,9 @@ def _enclosed(
         return tuple(balls)
     unit = float(reduced.frequency_unit)
     known = [q for q in (complex(ball.q.mid()) / unit for ball in balls) if q.real >= 0]
-    seeds = find_roots(reduced, areas_of(reduced, count), left, hints, weight, lambda: tell("roots", 0.5), known)
+    later = partial(beside_branch_points, count) if isinstance(count, SheetCount) else None
+    areas = areas_of(reduced, count)
+    seeds = find_roots(reduced, areas, left, hints, weight, lambda: tell("roots", 0.5), known, later)
     for k, q in enumerate(seeds.tolist()):
         for ball in _balls(proved, 1j * q, digits):
             _add(balls, ball, count.region, proved.lossless)
