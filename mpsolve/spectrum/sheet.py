@@ -76,9 +76,9 @@ class SheetCount:
 
     @property
     def first(self) -> float:
-        """About where the first branch point is, or 0."""
+        """A little before the first branch point, or 0."""
         if self.rest is not None:
-            return float(self.rest.z[0])
+            return float(self.rest.z[0]) * (1 - 2.0**-10)
         return self.lower.loops[0].first if self.lower.loops else 0.0
 
     @property

@@ -93,6 +93,8 @@ def _solve(
 _FEWER = "ask for a Rectangle round those that matter: where fewer are counted, all are found"
 _SHARPER = (2, 4)
 """Times the digits that were asked for, where a sign of Im q is open."""
+_CLOSER = (1, 2, 3, 4)
+"""The same, of roots next to a branch point."""
 _FEW = 4
 _NEAR = 15 / 16  # of the height of the lowest cut: most vibrations that decay slowly lie below it
 
@@ -133,7 +135,8 @@ def _enclosed(
     for sigma in near_branch_points(count) if isinstance(count, SheetCount) else []:
         tell("roots", 0.5)
         # a ball of so many digits of |q| may meet the cut, where the root is next to it
-        for ball in _balls(proved, sigma, digits) or _balls(proved, sigma, 2 * digits):
+        found = (_balls(proved, sigma, more * digits) for more in _CLOSER)
+        for ball in next(filter(None, found), []):
             _add(balls, ball, count.region, proved.lossless)
     left = count.total - sum(ball.multiplicity for ball in balls)
     if not left:

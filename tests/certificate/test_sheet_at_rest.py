@@ -18,9 +18,10 @@ from mpsolve.spectrum.spectrum import Spectrum
 
 @cache
 def answer(
-    eta_b: str = "0.2477", eta_n: str = "0", eta_m: Any = ("1.987", "19.36"), gap: str = "0.05051"
+    eta_b: str = "0.2477", eta_n: str = "0", eta_m: Any = ("1.987", "19.36"), gap: Any = "0.05051"
 ) -> Spectrum:
-    places = [str(float(gap) * j) for j in range(len(eta_m))]
+    """gap: between neighbours, or all places."""
+    places = [str(float(gap) * j) for j in range(len(eta_m))] if isinstance(gap, str) else gap
     return certify(Case(alpha=0, eta_b=eta_b, eta_n=eta_n, eta_m=eta_m, positions=places), region="sheet", digits=20)
 
 
@@ -38,9 +39,18 @@ def judged(content: dict[str, Any]) -> verify2.Verdict:
         ("0.5", "0.0916", ("0.2511", "7.954", "0.9939", "1.145"), "0.01", 4),
         ("0.3", "0.2", ("0.0001", "0.00002", "0.001"), "0.05", 4),
         ("0.1", "-0.05", ("30", "40"), "0.003", 2),
+        # a root 10⁻¹⁶ beside the branch point; one that floats must not take the branch point for
+        (
+            "0.3083",
+            "0",
+            ("0.00002758", "0.00002106", "0.00395", "0.00009178"),
+            ("0", "0.06316", "0.16701", "1.26127"),
+            4,
+        ),
+        ("0.5565", "0", ("0.0001643", "0.1242", "0.2119"), ("0", "5.60537", "5.65505"), 2),
     ],
 )
-def test_it_is_proved(eta_b: str, eta_n: str, eta_m: Any, gap: str, count: int) -> None:
+def test_it_is_proved(eta_b: str, eta_n: str, eta_m: Any, gap: Any, count: int) -> None:
     found = answer(eta_b, eta_n, eta_m, gap)
     assert (found.proved, found.count, found.unstable) == (True, count, 0), found
     assert found.certificate.content["theorem"]["rest"]
