@@ -1183,8 +1183,9 @@ class Split:
 
 def p_roots(local: Local) -> list[Any]:
     """Near the roots of D(·, m), exact numbers, to half of the digits computed with: nothing rests on them."""
-    D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
-    size = abs(D[0] / D[local.degree]) ** arb(fmpq(1, local.degree))
+    D, n = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)]), local.degree
+    low = next((k for k in range(n) if D[k] != 0), 0)  # 0 may be a root
+    size = abs(D[low] / D[n]) ** arb(fmpq(1, n - low))
     try:
         D.roots(maxprec=2000)  # where two are one that is told before the digits cost much
         found = D.roots(tol=size * arb(2) ** (-flint.ctx.prec // 2), maxprec=2 * flint.ctx.prec + 1000)
@@ -1209,13 +1210,16 @@ def nodes_near(local: Local, known: Known | None = None) -> Nodes:
 def split_near(local: Local, known: Known) -> Split:
     """The pair over a place, or Refused: from nodes that go on from known ones, or next to them."""
     D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
-    z, slope = known[0], D.derivative()
+    z: list[acb] = known[0]
+    slope = D.derivative()
     near = max(abs(x).upper() for x in z) * arb(2) ** (-flint.ctx.prec // 4)
     for k in range(flint.ctx.prec.bit_length() + 4):  # by Newton's method: nothing rests on it
         step = [(D(x) / slope(x)).mid() for x in z]
         z = [(x - y).mid() for x, y in zip(z, step, strict=True)]
         if k > 1 and all(abs(y) < near for y in step):  # the next one is about as its square
             break
+    else:  # real numbers find no complex roots, and where all are of one side any nodes would do for the pair
+        return nodes_near(local, known).split()
     try:
         return Nodes(z, known[1], local).split()
     except Refused:
@@ -2346,7 +2350,8 @@ def meeting(track: Track) -> list[tuple[Any, int]]:
     moved, squares = track.D.compose(P_, S_ - track.v * P_, ctx=RING), [fmpq(0)] * 13
     for (_, j), c in terms(moved.discriminant("P")).items():
         squares[j // 2] += c * (-1) ** (j // 2)
-    return list(fmpq_poly(squares).complex_roots())
+    found: list[Any] = list(fmpq_poly(squares).complex_roots())
+    return found
 
 
 def check_far(sheet: Sheet, W: Any, rho: Any) -> None:

@@ -649,8 +649,9 @@ def count(f: Function, legs: Sequence[tuple[Point, Point]], breaks: Any) -> list
         for m, n in pairwise(places):
             total = [x + y for x, y in zip(total, walk.turn(m, n, e), strict=True)]
     numbers = [(x / (2 * arb.pi())).unique_fmpz() for x in total]
-    require(all(n is not None and n >= 0 for n in numbers), "the turn is not one number of zeros")
-    return [int(n) for n in numbers]
+    known = [int(n) for n in numbers if n is not None and n >= 0]
+    require(len(known) == len(numbers), "the turn is not one number of zeros")
+    return known
 
 
 # --- discs of zeros (SPEC-ROOTS, 7) -----------------------------------------------------------------------

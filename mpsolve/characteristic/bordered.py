@@ -1,33 +1,21 @@
-"""The characteristic matrix of a reduced problem on discs: det is Δ̂ up to a constant.
-
-Direct contacts (tight, alone on their body) are eliminated: y_i = −(Gλ)_j/b. Unknowns are the other bodies and λ;
-rows are all bodies, then the contacts that are not direct. In the full matrix (row j, column y_i) holds b, alone in
-its row among the bodies; column operations clear the rest of the row, so the determinants differ by the factor ±b.
-"""
+"""The characteristic matrix of a reduced problem on discs: det is Δ̂ up to a constant (see `bordering`)."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from mpsolve.characteristic.bordering import Bordering
 from mpsolve.characteristic.discs import split
 from mpsolve.characteristic.residues import receptances, waves
 from mpsolve.characteristic.table import Table
 from mpsolve.frozen import frozen
-from mpsolve.numbers.jets import TINY, UP, Jet, U, nearest
+from mpsolve.numbers.jets import TINY, UP, Jet, U, joined, nearest
 from mpsolve.problem.reduced import Reduced
-
-
-@frozen
-class Direct:
-    """Contact `contact` moves with body `body` alone: Bᵀ has the single entry `b` there."""
-
-    body: int
-    contact: int
-    b: Fraction
 
 
 @frozen
@@ -45,20 +33,23 @@ class Arrays:
         return Table.of(self.reduced.guide.N)
 
     @cached_property
-    def S(self) -> Any:
-        return np.array([[[nearest(x) for x in row] for row in rows] for rows in self.reduced.S])
+    def _alone(self) -> tuple[Bordering, Any]:
+        return self._bordering(0)
 
     @cached_property
-    def B(self) -> Any:
-        return np.array([[nearest(x) for x in row] for row in self.reduced.B])
+    def _beside(self) -> tuple[Bordering, Any]:
+        return self._bordering(1)
 
-    @cached_property
-    def h(self) -> Any:
-        return np.array([nearest(x) for x in self.reduced.h])
+    def _bordering(self, waves: int) -> tuple[Bordering, Any]:
+        border = Bordering.of(self.reduced, waves=waves)
+        return border, self._table(border.polynomials)
 
-    @cached_property
-    def direct(self) -> tuple[Direct, ...]:
-        return direct_contacts(self.reduced)
+    def _table(self, polynomials: Sequence[Any]) -> Any:
+        """Their coefficients in σ, shape (3, polynomials)."""
+        return np.array([self._about(*f, *[Fraction(0)] * (3 - len(f))) for f in polynomials]).T
+
+    def _about(self, *f: Fraction) -> list[Any]:
+        return list(map(nearest, f))
 
     @cached_property
     def distances(self) -> tuple[Any, Any]:
@@ -97,46 +88,29 @@ class Arrays:
             turned = one * np.exp(at * x)
             size = np.abs(turned.a) + np.abs(turned.b) * s.r
             parts.append(Jet(turned.a, turned.b, turned.e + lost * size, s.r))
-        a, b, e = (np.stack([getattr(part, key) for part in parts], 1) for key in "abe")
-        g = weight[:, :up].sum(1)
-        good = alone & s.good & np.isfinite(e).all(1) & np.isfinite(g.e)
-        return s, Jet(a, b, e, s.r)[:, pairs], g, good
+        H, g = joined([part[:, None] for part in parts]), weight[:, :up].sum(1)
+        good = alone & s.good & np.isfinite(H.e).all(1) & np.isfinite(g.e)
+        return s, H[:, pairs], g, good
 
     def beside_pole(self, H: Jet, g: Jet, m: Any, at: complex) -> Jet:
         """A matrix with the determinant Δ̂/g up to a constant, from H and g of `without_pole`."""
-        contact = np.array(self.reduced.index)
-        places = np.array([nearest(x) for x in self.reduced.places])[contact]
-        H = H[:, contact[:, None], contact[None, :]]
-        v, back = (self._constant(np.exp(sign * at * places), H.r, 4 * U * np.abs(at * places)) for sign in (1, -1))
-        above = self._rows(joined(H, v[:, :, None], 2), m)
-        width = above.a.shape[2] - len(contact) - 1
-        low = joined(self._constant(np.zeros(width), H.r), -back, 1)
-        corner = g.inverse()
-        return joined(above, joined(low, corner[:, None], 1)[:, None, :], 1)
+        places = np.array([nearest(self.reduced.places[k]) for k in self.reduced.index])
+        v, back = (_constant(np.exp(sign * at * places), H.r, 4 * U * np.abs(at * places)) for sign in (1, -1))
+        return self._filled(self._beside, m, [self._by_distance(H), v, -back, g.inverse()[:, None]])
 
     def matrix(self, G: Jet, m: Any) -> Jet:
         """The reduced characteristic matrix on the discs round m, from G between the places."""
-        contact = np.array(self.reduced.index)
-        return self._rows(G[:, contact[:, None], contact[None, :]], m)
+        return self._filled(self._alone, m, [self._by_distance(G)])
 
-    def _rows(self, G: Jet, m: Any) -> Jet:
-        """The rows of bodies and of contacts that are not direct; G may have more columns than contacts."""
-        more = np.zeros((len(self.B), G.a.shape[2] - len(self.reduced.index)))
-        S = self._pencil(m, G.r)
-        bodies = [d.body for d in self.direct]
-        rest = [i for i in range(len(self.B)) if i not in bodies]
-        right = self._constant(np.hstack([-self.B, more]), G.r)
-        if bodies:
-            factors = np.array([-nearest(1 / d.b) for d in self.direct])  # each rounded: within the 2 u of `*`
-            right = right + (S[:, :, bodies] * factors) @ G[:, [d.contact for d in self.direct], :]
-        top = _beside(S[:, :, rest], right)
-        contacts = len(self.reduced.index)
-        indirect = [j for j in range(contacts) if j not in [d.contact for d in self.direct]]
-        if not indirect:
-            return top
-        compliance = self._constant(np.hstack([np.diag(self.h), more[:1].repeat(contacts, 0)])[indirect], G.r)
-        low = _beside(self._constant(self.B.T[np.ix_(indirect, rest)], G.r), G[:, indirect, :] + compliance)
-        return joined(top, low, 1)
+    def _by_distance(self, G: Jet) -> Jet:
+        contact = np.array(self.reduced.index)
+        first, second = self._alone[0].one_each
+        return G[:, contact[first], contact[second]]
+
+    def _filled(self, bordering: tuple[Bordering, Any], m: Any, g: list[Jet]) -> Jet:
+        border, table = bordering
+        filled: Jet = border.matrix(_polynomials(table, m, g[0].r), joined(g), joined)
+        return filled
 
     def shaken(self, contact: int, m: Any, r: Any) -> Jet:
         """The right side of `matrix`·x for an unevenness of the rail under one contact, shape (discs, n, 1).
@@ -144,56 +118,35 @@ class Arrays:
         It has the size 1, or for a direct contact the size b/S of its body where that is coupled to no other body: as
         b/S times the unevenness acts like a unit force, it has a meaning at σ = 0 too.
         """
-        held = {d.contact: d for d in self.direct}
-        indirect = [j for j in range(len(self.h)) if j not in held]
-        n = len(self.B) + len(indirect)
+        border, n = self._alone[0], self.reduced.bodies
+        held = {one.contact: one for one in border.direct}
+        indirect = [j for j in range(self.reduced.contacts) if j not in held]
+        column = [(Fraction(0),)] * (n + len(indirect))
         if contact not in held:
-            unit = np.zeros((n, 1))
-            unit[len(self.B) + indirect.index(contact)] = 1
-            return self._constant(unit, r)
-        body = held[contact].body
-        others = [i for i in range(len(self.B)) if i != body]
-        if not self.S[:, others, body].any():
-            unit = np.zeros((n, 1))
-            unit[body] = -1
-            return self._constant(unit, r)
-        column = self._pencil(m, r)[:, :, body : body + 1] * -nearest(1 / held[contact].b)
-        return joined(column, self._constant(np.zeros((len(indirect), 1)), r), 1)
+            column[n + indirect.index(contact)] = (Fraction(1),)
+        else:
+            body, b = held[contact].body, held[contact].b
+            column[:n] = [tuple(-rows[i][body] / b for rows in self.reduced.S) for i in range(n)]
+            if not any(any(f) for i, f in enumerate(column) if i != body):
+                column[body] = (Fraction(-1),)
+        return _polynomials(self._table(column), m, r)[:, :, None]
 
     @property
     def first_force(self) -> int:
         """The number of the unknown of `matrix` that is the first contact's force; those of the others follow it."""
-        return len(self.B) - len(self.direct)
-
-    def _pencil(self, m: Any, r: Any) -> Jet:
-        """S on the discs."""
-        S0, S1, S2 = self.S[:, None]
-        z = m[:, None, None]
-        radius = r[:, None, None]
-        size = np.abs(S0) + np.abs(S1 * z) + np.abs(S2 * z * z) + (np.abs(S1) + 2 * np.abs(S2 * z)) * radius
-        e = (np.abs(S2) * radius * radius + 32 * U * size) * UP + TINY
-        return Jet(S0 + S1 * z + S2 * z * z, S1 + 2 * S2 * z, e, r)
-
-    def _constant(self, matrix: Any, r: Any, lost: Any = 0.0) -> Jet:
-        """lost: a bound of relative errors beside those of rounding."""
-        a = np.broadcast_to(matrix.astype(complex), (len(r), *matrix.shape))
-        return Jet(a, np.zeros(a.shape, complex), (2 * U + lost) * np.abs(a), r)
+        return len(self._alone[0].kept)
 
 
-def direct_contacts(reduced: Reduced) -> tuple[Direct, ...]:
-    """The contacts that are tight and alone on a body that has no other contact."""
-    out = []
-    for j in range(reduced.contacts):
-        bodies = [i for i, row in enumerate(reduced.B) if row[j]]
-        if reduced.h[j] == 0 and len(bodies) == 1 and sum(map(bool, reduced.B[bodies[0]])) == 1:
-            out.append(Direct(bodies[0], j, reduced.B[bodies[0]][j]))
-    return tuple(out)
+def _polynomials(table: Any, m: Any, r: Any) -> Jet:
+    """On the discs, from coefficients of which each is rounded to nearest."""
+    c0, c1, c2 = table
+    z, radius = m[:, None], r[:, None]
+    size = np.abs(c0) + np.abs(c1 * z) + np.abs(c2 * z * z) + (np.abs(c1) + 2 * np.abs(c2 * z)) * radius
+    e = (np.abs(c2) * radius * radius + 32 * U * size) * UP + TINY
+    return Jet(c0 + c1 * z + c2 * z * z, c1 + 2 * c2 * z, e, r)
 
 
-def _beside(left: Jet, right: Jet) -> Jet:
-    return joined(left, right, 2)
-
-
-def joined(one: Jet, other: Jet, axis: int) -> Jet:
-    a, b, e = (np.concatenate([getattr(one, key), getattr(other, key)], axis) for key in "abe")
-    return Jet(a, b, e, other.r)
+def _constant(values: Any, r: Any, lost: Any) -> Jet:
+    """lost: a bound of relative errors beside those of rounding."""
+    a = np.broadcast_to(values.astype(complex), (len(r), *values.shape))
+    return Jet(a, np.zeros(a.shape, complex), (2 * U + lost) * np.abs(a), r)

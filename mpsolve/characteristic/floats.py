@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.determinant import Bordering
+from mpsolve.characteristic.bordering import Bordering
 from mpsolve.characteristic.follow import eigenvalues, followed
 from mpsolve.characteristic.receptance import Coefficients, by_companions
 from mpsolve.characteristic.splitting import Splitting, monic, sharpened, upper_count
@@ -152,7 +152,7 @@ class Floats:
         """A(σ) and A'(σ), shape (len(σ), n, n)."""
         sigma = np.atleast_1d(np.asarray(sigma, complex))
         G, G_sigma = self.receptance(sigma, self.border.distances)
-        return _K.matrix(self.border.rows(_K, sigma, G)), _K.matrix(self.border.slopes(_K, sigma, G, G_sigma))
+        return self.border.at(_K, sigma, G), self.border.slope_at(_K, sigma, G, G_sigma)
 
     def delta(self, sigma: Any) -> tuple[Any, Any]:
         """Δ̂ and dΔ̂/dσ on an array of σ."""

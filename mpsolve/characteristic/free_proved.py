@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, cast
 
+from mpsolve.characteristic.bordering import Bordering, vector
 from mpsolve.characteristic.proved import split_ball
 from mpsolve.characteristic.symbol import Symbols
 from mpsolve.errors import PrecisionError
@@ -56,14 +57,8 @@ class FreeProved:
     upper: int
 
     @cached_property
-    def distances(self) -> list[Several]:
-        places = [self.family.places[k] for k in self.family.index]
-        return sorted({a - b for a in places for b in places})
-
-    @cached_property
-    def _which(self) -> list[list[int]]:
-        places = [self.family.places[k] for k in self.family.index]
-        return [[self.distances.index(a - b) for b in places] for a in places]
+    def border(self) -> Bordering:
+        return Bordering.of(self.family)
 
     @cached_property
     def _present(self) -> FreePolynomial:
@@ -89,10 +84,18 @@ class FreeProved:
         """(A, [∂A/∂σ, ∂A/∂x₁, …]); `PrecisionError` where balls cannot decide."""
         sigma, x = acb(sigma), [acb(y) for y in x]
         G, turned = self._receptances(sigma, x, slopes)
-        A = acb_mat(self._rows(sigma, x, G, None))
-        if not slopes:
-            return A, []
-        return A, [acb_mat(self._rows(sigma, x, g, k)) for k, g in enumerate(turned)]
+        terms = [[(k, value_at(c, x), c) for k, c in enumerate(f)] for f in self.border.polynomials]
+        f, g = vector([sum((c * sigma**k for k, c, _ in some), acb(0)) for some in terms]), vector(G)
+        out = []
+        for n, g_slope in enumerate(turned):
+            if n:
+                rates = [
+                    sum((value_at(slope_of(c, n - 1), x) * sigma**k for k, _, c in some), acb(0)) for some in terms
+                ]
+            else:
+                rates = [sum((k * c * sigma ** (k - 1) for k, c, _ in some if k), acb(0)) for some in terms]
+            out.append(acb_mat(self.border.slope(f, g, vector(rates), vector(g_slope)).tolist()))
+        return acb_mat(self.border.matrix(f, g).tolist()), out
 
     def _receptances(self, sigma: Any, x: list[Any], slopes: bool) -> tuple[list[Any], list[list[Any]]]:
         """G at each distance, and for σ and each parameter its slopes."""
@@ -110,9 +113,8 @@ class FreeProved:
         G: list[Any] = []
         out: list[list[Any]] = [[] for _ in each]
         weights = [term.w for term in each[0]] if each else list(split.weights)
-        zero = self.distances[0] * 0
-        for distance in self.distances:
-            side, sign = (slice(0, self.upper), 1) if not distance < zero else (slice(self.upper, None), -1)
+        for distance, way in zip(self.border.distances, self.border.signs, strict=True):
+            side, sign = (slice(0, self.upper), 1) if way >= 0 else (slice(self.upper, None), -1)
             xi = value_at(distance, x)
             waves = [(xi * z).exp() * sign for z in split.roots[side]]
             G.append(sum((w * e for w, e in zip(weights[side], waves, strict=True)), acb(0)))
@@ -125,30 +127,6 @@ class FreeProved:
         if not all(g.is_finite() for row in (G, *out) for g in row):
             raise PrecisionError("the receptance may be infinite over the ball: split the piece")
         return G, out
-
-    def _rows(self, sigma: Any, x: list[Any], G: list[Any], k: int | None) -> list[list[Any]]:
-        """[[S, −B], [Bᵀ, G + h]], or its slope: k = 0 in σ, k > 0 in the k-th parameter, G then being its slope."""
-        S, B, h = self.family.S, self.family.B, self.family.h
-        bodies, contacts = len(B), len(h)
-
-        def entry(c: Several) -> Any:
-            if k is None:
-                return value_at(c, x)
-            return value_at(slope_of(c, k - 1), x) if k else acb(0)
-
-        rows = []
-        for i in range(bodies):
-            pencil = []
-            for j in range(bodies):
-                if k == 0:
-                    pencil.append(value_at(S[1][i][j], x) + 2 * sigma * value_at(S[2][i][j], x))
-                else:
-                    pencil.append(sum((entry(S[n][i][j]) * sigma**n for n in range(3) if S[n][i][j]), acb(0)))
-            rows.append([*pencil, *(-entry(B[i][j]) for j in range(contacts))])
-        for i in range(contacts):
-            own = [G[self._which[i][j]] + (entry(h[i]) if i == j else 0) for j in range(contacts)]
-            rows.append([*(entry(B[j][i]) for j in range(bodies)), *own])
-        return rows
 
 
 @dataclass(frozen=True)

@@ -40,16 +40,9 @@ class LocalArrays(Arrays):
     def N(self) -> Table:
         return self._moved(self.reduced.guide.N)
 
-    @cached_property
-    def S(self) -> Any:
-        z, n = self.z, range(len(self.B))
-        S0, S1, S2 = self.reduced.S
-        rows = [
-            [[complex(S0[i][j] - z * z * S2[i][j], z * S1[i][j]) for j in n] for i in n],
-            [[complex(S1[i][j], 2 * z * S2[i][j]) for j in n] for i in n],
-            [[complex(S2[i][j]) for j in n] for i in n],
-        ]
-        return np.array(rows).reshape(3, len(n), len(n))
+    def _about(self, *f: Fraction) -> list[Any]:
+        z, (c0, c1, c2) = self.z, f
+        return [complex(c0 - z * z * c2, z * c1), complex(c1, 2 * z * c2), complex(c2)]
 
     @property
     def shift(self) -> complex:

@@ -102,7 +102,7 @@ class Paths:
 
     def _batches(self, pieces: int, effort: Effort) -> Iterator[slice]:
         """Some pieces at a time; EffortError in between where the effort is spent."""
-        size = max(1, _BATCH // (len(self.arrays.B) + len(self.arrays.h)) ** 2)
+        size = max(1, _BATCH // (self.arrays.reduced.bodies + self.arrays.reduced.contacts) ** 2)
         for at in range(0, pieces, size):
             effort.spend(0)
             yield slice(at, min(at + size, pieces))

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
-from mpsolve.characteristic.determinant import Bordering
+from mpsolve.characteristic.bordering import Bordering
 from mpsolve.characteristic.factors import Factors, factor_balls, sides
 from mpsolve.characteristic.receptance import Coefficients, Terms, by_companions
 from mpsolve.characteristic.roots import Orders, apart, float_roots, root_balls, sharp_roots
@@ -178,12 +178,12 @@ class Proved:
         sigma = acb(sigma)
         mean = mean and not is_thin(sigma)
         G, G_sigma = self.splitting(sigma).receptances(self.spread, slope or mean)
-        A_sigma = acb_mat(self.border.slopes(_K, sigma, G, G_sigma)) if slope or mean else None
+        A_sigma = self.border.slope_at(_K, sigma, G, G_sigma) if slope or mean else None
         if not mean:
-            return acb_mat(self.border.rows(_K, sigma, G)), A_sigma
+            return self.border.at(_K, sigma, G), A_sigma
         middle = sigma.mid()
         inner = self.splitting(middle).receptances(self.spread, False)[0]
-        return acb_mat(self.border.rows(_K, middle, inner)) + A_sigma * (sigma - middle), A_sigma
+        return self.border.at(_K, middle, inner) + A_sigma * (sigma - middle), A_sigma
 
     def delta(self, sigma: Any) -> tuple[Any, Any]:
         """Δ̂ and dΔ̂/dσ over the ball σ."""

@@ -16,9 +16,10 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.bordered import Arrays, joined
+from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.bordering import Bordering
 from mpsolve.frozen import frozen
-from mpsolve.numbers.jets import UP, Jet, U, nearest
+from mpsolve.numbers.jets import UP, Jet, U, joined, nearest
 
 _TERMS, _MORE = 24, 4  # of the series of the waves, and for each unit of ρ x, ρ a bound of |P|
 _WIDEST = 30.0
@@ -39,6 +40,10 @@ class Resting(Arrays):
         """Whether there is one place, so that one more unknown will do."""
         return len(self.reduced.places) == 1
 
+    @cached_property
+    def _bordered(self) -> tuple[Bordering, Any]:
+        return self._bordering(1 if self.single else 2)
+
     def over(self, middle: Any, r: Any) -> Jet:
         """Matrices over |s − middle| ≤ r whose determinants are −4 (EI)² π s² Δ̂ (2 EI π s Δ̂ for one place)."""
         EI, A, k, m = self.beam
@@ -46,22 +51,18 @@ class Resting(Arrays):
         pi = _plus(s * s, A) * 0.5
         tau = _root(_plus(pi * pi, -k / EI) * nearest(EI / m)) * 1j  # σ = iz, and −z² = (EI π² − k)/m
         rho = (s.size + np.sqrt(pi.size) + sqrt(abs(float(A)))) * (1 + 1e-9)
-        contact, places = self.reduced.index, self.reduced.places
-        x = np.array([nearest(places[i] - (places[0] + places[-1]) / 2) for i in contact])
-        gaps = np.array([nearest(max(places[j] - places[i], Fraction(0))) for i in contact for j in contact])
+        (border, table), places = self._bordered, self.reduced.places
+        x = np.array([nearest(places[i] - (places[0] + places[-1]) / 2) for i in self.reduced.index])
+        gaps = np.array([nearest(max(-y, Fraction(0))) for y in border.distances])
         widest = np.max(rho * max(gaps.max(), np.abs(x).max()), initial=0.0)
         p, q, K = self._waves(s, pi, int(_TERMS + _MORE * min(widest, _WIDEST)))
-        n, ahead = len(contact), _summed(K, gaps, 3, rho)
-        right = ahead[:, np.arange(n * n).reshape(n, n)]
-        low = self._constant(np.zeros((0, n)), r)
-        for order, f in enumerate([p] if self.single else [p, q]):
-            right = joined(right, _summed(f, x, order, rho)[:, :, None], 2)
-            low = joined(low, -_summed(f, -x, order, rho)[:, None, :], 1)
-        above, more = self._rows(right, tau), low.a.shape[1]
-        empty = self._constant(np.zeros((more, above.a.shape[2] - n - more)), r)
-        first = ((s * pi) * nearest(2 * EI))[:, None, None]
-        corner = first if self.single else _diagonal(first, s[:, None, None] * nearest(-2 * EI))
-        return joined(above, joined(joined(empty, low, 2), corner, 2), 1)
+        waves = [p] if self.single else [p, q]
+        ahead, behind = ([_summed(f, sign * x, n, rho) for n, f in enumerate(waves)] for sign in (1, -1))
+        zero, first, second = ((one * nearest(c))[:, None] for one, c in ((s, 0), (s * pi, 2 * EI), (s, -2 * EI)))
+        corner = [first] if self.single else [first, zero, zero, second]
+        g = joined([_summed(K, gaps, 3, rho), *ahead, *(-f for f in behind), *corner])
+        matrix: Jet = border.matrix(_composed(table, tau), g, joined)
+        return matrix
 
     def _waves(self, s: Jet, pi: Jet, terms: int) -> tuple[list[Jet], list[Jet], list[Jet]]:
         """The derivatives at x = 0 of p, q, and of K."""
@@ -76,11 +77,15 @@ class Resting(Arrays):
                 K.append(-(K[n + 2] * nearest(A) + square * K[n]) if n % 2 else zero)
         return p, q, K
 
-    def _pencil(self, m: Any, r: Any) -> Jet:
-        """S at σ = m, a jet in s."""
-        one = Jet(m.a[:, None, None], m.b[:, None, None], m.e[:, None, None], m.r)
-        S0, S1, S2 = (self._constant(S, r) for S in self.S)
-        return S0 + one * S1 + (one * one) * S2
+
+def _composed(table: Any, tau: Jet) -> Jet:
+    """Polynomials in σ at σ = τ, jets in s."""
+    one = tau[:, None]
+    rows = [Jet(zero := np.zeros((len(tau.r), len(c)), complex), zero, zero.real, tau.r) + c for c in table]
+    total: Jet = rows[2]
+    for row in rows[1::-1]:
+        total = total * one + row
+    return total
 
 
 def _root(f: Jet) -> Jet:
@@ -113,8 +118,3 @@ def _summed(f: list[Jet], x: Any, order: int, rho: Any) -> Jet:
         tail = 4 * np.abs(a[:, order, None]) * np.abs(x) ** order * y ** (last - order) / float(factorial(last))
         lost = 4 * len(f) * U * ((np.abs(a) + np.abs(b) * r) @ size)
         return Jet(a @ power, b @ power, (e @ size + lost + np.where(y < _WIDEST, tail, np.inf)) * UP, f[0].r)
-
-
-def _diagonal(one: Jet, other: Jet) -> Jet:
-    zero = one * 0.0
-    return joined(joined(one, zero, 2), joined(zero, other, 2), 1)

@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.characteristic.bordering import Bordering, vector
 from mpsolve.characteristic.free_proved import slope_of, value_at
 from mpsolve.cuts.edge import Edge, beam, edge, sides
-from mpsolve.cuts.entries import Parts, entries
+from mpsolve.cuts.entries import Parts, of_one
 from mpsolve.cuts.sloped import Sloped
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_mat, acb_poly, arb, bits_now
@@ -29,10 +30,8 @@ class EdgeBalls:
     side: int
 
     @cached_property
-    def order(self) -> list[list[int]]:
-        """The signs of x_i − x_j."""
-        places = [self.family.places[k] for k in self.family.index]
-        return [[(a > b) - (a < b) for b in places] for a in places]
+    def border(self) -> Bordering:
+        return Bordering.of(self.family, waves=1)
 
     def edge(self, p: Any, x: Any) -> Edge:
         """z and what goes with it."""
@@ -57,19 +56,16 @@ class EdgeBalls:
         """What A is made of, with slopes; `PrecisionError` where balls cannot decide."""
         at, family = self.edge(p, x), self.family
         EI, N = (_free(beam(family)[k], x) for k in (0, -1))
-        b, a2, b2 = self._others(at, p, x)
-        i = 1j
-        places = [_free(family.places[k], x) for k in family.index]
-        own = [_free(c, x) for c in family.h]
-        S = [[[_free(c, x) for c in row] for row in rows] for rows in family.S]
-        B = [[_free(c, x) for c in row] for row in family.B]
-        zero, one = (Sloped(acb(y), (acb(0), acb(0))) for y in (0, 1))
-        a = Sloped(acb(p), (acb(1), acb(0))).times(i)
-        return Parts(a, b.times(i), a2.times(i), b2.times(i), EI, N, at.sigma, S, B, own, places, one, zero)
+        b, a2, b2 = (r.times(1j) for r in self._others(at, p, x))
+        own = ([family.places[k] for k in family.index], self.border.distances)
+        places, apart = ([_free(c, x) for c in some] for some in own)
+        a = Sloped(acb(p), (acb(1), acb(0))).times(1j)
+        return Parts(a, b, a2, b2, EI, N, at.sigma, places, apart, self.border.signs, _constant(1), _constant(0))
 
     def matrices(self, p: Any, x: Any) -> tuple[Any, list[Any]]:
         """(A, [∂A/∂p, ∂A/∂x̂]); `PrecisionError` where balls cannot decide."""
-        rows = entries(self.parts(p, x), self.order)
+        parts = self.parts(p, x)
+        rows = filled(self.border, parts.sigma, x, of_one(parts))
         if not all(x.value.is_finite() and all(d.is_finite() for d in x.slopes) for row in rows for x in row):
             raise PrecisionError("the receptance may be infinite over the ball: split the piece")
         slopes = [acb_mat([[x.slopes[k] for x in row] for row in rows]) for k in (0, 1)]
@@ -89,6 +85,21 @@ class InPlane:
     def slopes(self, p: Any, x: Any) -> tuple[Any, Any]:
         A, (A_p, A_x) = self.balls.matrices(p, x)
         return self.reduction.scalar_slope(A, A_p), self.reduction.scalar_slope(A, A_x)
+
+
+def filled(border: Bordering, sigma: Sloped, x: Any, g: list[Sloped]) -> Any:
+    """The matrix, an array, from what stands in the place of receptances."""
+    f = []
+    for coefficients in border.polynomials:
+        total = _constant(0)
+        for c in reversed(coefficients):
+            total = total * sigma + _free(c, x)
+        f.append(total)
+    return border.matrix(vector(f), vector(g))
+
+
+def _constant(value: int) -> Sloped:
+    return Sloped(acb(value), (acb(0), acb(0)))
 
 
 def _free(c: Several, x: Any) -> Sloped:

@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from mpsolve.characteristic.bordering import Bordering
 from mpsolve.characteristic.boxes import Boxes
+from mpsolve.characteristic.free_matrix import forms_of
 from mpsolve.characteristic.free_receptance import Receptances
 from mpsolve.characteristic.free_roots import Roots, roots_over
 from mpsolve.cuts.edge import Edge, beam, edge, sides
-from mpsolve.cuts.entries import Parts, entries, entries_of_two
+from mpsolve.cuts.entries import Parts, of_one, of_two
 from mpsolve.cuts.model import ROUNDING, Model, model_of
 from mpsolve.numbers.forms import Forms
 from mpsolve.numbers.jets import TINY, UP, U
-from mpsolve.numbers.quadratic import Quadratic, constant, lifted, pairs
+from mpsolve.numbers.quadratic import Quadratic, constant, joined, lifted, pairs
 from mpsolve.problem.family import Family
 
 _NEWTON = 4
@@ -45,19 +48,18 @@ class EdgeMatrix:
     meeting: bool = True
 
     @cached_property
-    def _forms(self) -> tuple[Forms, Forms]:
-        """Of the beam; of S (by powers), B, h and the places, one behind the other."""
-        family = self.family
-        own = [c for rows in family.S for row in rows for c in row]
-        own += [c for row in family.B for c in row] + list(family.h) + [family.places[k] for k in family.index]
-        flat = [[{(0, *e): c for e, c in x} for x in each] for each in (beam(family), own)]
-        return Forms.of(flat[0], 2), Forms.of(flat[1], 2)
+    def _borders(self) -> tuple[Bordering, Bordering]:
+        """With an unknown for a, and with one for a′ too: of the same polynomials in σ."""
+        return Bordering.of(self.family, waves=1), Bordering.of(self.family, waves=2)
 
     @cached_property
-    def order(self) -> list[list[int]]:
-        """The signs of x_i − x_j."""
-        places = [self.family.places[k] for k in self.family.index]
-        return [[(a > b) - (a < b) for b in places] for a in places]
+    def _forms(self) -> tuple[Forms, Forms]:
+        """Of the beam; of the matrix's polynomials (by powers of σ), the places and the distances."""
+        family, border = self.family, self._borders[0]
+        zero = family.ring.constant(0)
+        own = [f[k] if k < len(f) else zero for k in range(3) for f in border.polynomials]
+        own += [*(family.places[k] for k in family.index), *border.distances]
+        return forms_of([[c] for c in beam(family)], 2), forms_of([[c] for c in own], 2)
 
     def edge(self, boxes: Boxes) -> tuple[Edge, list[Model]]:
         """(z and what goes with it, the beam's coefficients)."""
@@ -78,7 +80,7 @@ class EdgeMatrix:
             good = sane & found.good.all(1) & _told(at, r, v, real)
             y, rho = boxes.variables
             own = self._forms[1](y, rho)
-            k, e = _filled(entries(self._parts((p, *r), EI, N, at.sigma, own), self.order))
+            k, e = self._filled(self._parts((p, *r), EI, N, at.sigma, own), own, of_one)
             # where the cuts overlap G(0) vanishes at Re q = 0, and b′ meets a′ at the end of the overlap
             both = np.flatnonzero(good & (real | (np.abs(r[1].a - r[2].a) < _CLOSE * np.abs(p.a))))
             rest = np.flatnonzero(sane & ~good) if self.meeting else both[:0]
@@ -86,7 +88,7 @@ class EdgeMatrix:
                 k, e = _with_one_more(k, e)
                 waves, beams = ([model_of(x[both]) for x in some] for some in ((p, *r), (EI, N, at.sigma)))
                 parts = self._parts(tuple(waves), beams[0], beams[1], beams[2], own[both])
-                k[:, both], e[both] = _filled(entries_of_two(parts, self.order))
+                k[:, both], e[both] = self._filled(parts, own[both], of_two)
                 k[:, rest], e[rest], good[rest] = self._meeting(cubic, z, (p, EI, v, N), at, own, rest)
             good = good & np.isfinite(e).all((1, 2)) & np.isfinite(k).all((0, 2, 3))
             span = float(max(map(abs, map(float, self._span))))
@@ -134,24 +136,28 @@ class EdgeMatrix:
         apart = np.zeros(c.k.shape, complex)
         apart[3] = radius
         half = Model(apart, 4 * U * radius, 3)
-        parts = self._parts((p, r, c + half, c + -half), EI, N, sigma, lifted(own[rows], 3))
-        k, e = _filled(entries_of_two(parts, self.order))
+        own = lifted(own[rows], 3)
+        k, e = self._filled(self._parts((p, r, c + half, c + -half), EI, N, sigma, own), own, of_two)
         kept = [0, 1, 2, *(1 + 3 + pairs(3).index(pair) for pair in pairs(2))]
         lost = np.abs(k).sum(0) - np.abs(k[kept]).sum(0)
         return k[kept], (e + lost) * UP + 64 * U * np.abs(k).sum(0), good
 
     def _parts(self, r: tuple[Model, ...], EI: Model, N: Model, sigma: Any, own: Quadratic) -> Parts:
         """r: the p-roots a, b, a′, b′, divided by i."""
-        n, c = len(self.family.B), len(self.family.index)
-        flat = [model_of(own[:, j]) for j in range(own.e.shape[1])]
-        S = [[flat[(q * n + i) * n : (q * n + i + 1) * n] for i in range(n)] for q in range(3)]
-        rest = flat[3 * n * n :]
-        B = [rest[i * c : (i + 1) * c] for i in range(n)]
-        h, places = rest[n * c : n * c + c], rest[n * c + c :]
-        boxes = len(EI.e)
+        border, boxes = self._borders[0], len(EI.e)
+        behind = [model_of(own[:, j]) for j in range(3 * len(border.polynomials), own.e.shape[1])]
+        contacts = len(border.which)
         one, zero = (model_of(constant(x, boxes, EI.m)) for x in (1.0, 0.0))
         a, b, a2, b2 = (x.times(1j) for x in r)
-        return Parts(a, b, a2, b2, EI, N, sigma, S, B, h, places, one, zero)
+        return Parts(a, b, a2, b2, EI, N, sigma, behind[:contacts], behind[contacts:], border.signs, one, zero)
+
+    def _filled(self, parts: Parts, own: Quadratic, given: Callable[[Parts], list[Any]]) -> tuple[Any, Any]:
+        """(A's coefficients, its remainders)."""
+        border = self._borders[0 if given is of_one else 1]
+        n, sigma = len(border.polynomials), parts.sigma[:, None]
+        f = (own[:, 2 * n : 3 * n] * sigma + own[:, n : 2 * n]) * sigma + own[:, :n]
+        A = border.matrix(f, joined([x[:, None] for x in given(parts)]), joined)
+        return A.k, A.e
 
     def off_the_cut(self, boxes: Boxes, waves: list[Quadratic]) -> tuple[Any, Any]:
         """(A's coefficients, its remainders) over boxes of (q̂, x̂), from models of a, b, a′ and b′ there."""
@@ -161,7 +167,8 @@ class EdgeMatrix:
         sigma = Model(np.zeros(all_.k.shape[:2], complex), 4 * U * np.abs(y[0]), 2)
         sigma.k[0], sigma.k[1] = y[0], rho[0]
         r = tuple(model_of(wave).times(-1j) for wave in waves)
-        k, e = _filled(entries_of_two(self._parts(r, EI, N, sigma, self._forms[1](y, rho)), self.order))
+        own = self._forms[1](y, rho)
+        k, e = self._filled(self._parts(r, EI, N, sigma, own), own, of_two)
         scale = _scale(k[0])
         return k * scale, e * scale
 
@@ -171,11 +178,6 @@ class EdgeMatrix:
             at, _ = self.edge(boxes)
             wrong = -self.side * at.lean.a.real > at.lean.spread
             return wrong | (-at.z.a.real > at.z.spread)
-
-
-def _filled(rows: list[list[Model]]) -> tuple[Any, Any]:
-    k = np.stack([np.stack([x.k for x in row], -1) for row in rows], -2)
-    return k, np.stack([np.stack([x.e for x in row], -1) for row in rows], -2)
 
 
 def _with_one_more(k: Any, e: Any) -> tuple[Any, Any]:

@@ -20,10 +20,11 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Parts:
-    """What the matrix is made of, as elements of one arithmetic (+, ×, −, `times`, `inverse`, `exp`, `quotient`).
+    """What the receptance is made of, as elements of one arithmetic (+, ×, −, `times`, `inverse`, `exp`, `quotient`).
 
     a, b: ip and the p-root that it meets; a2, b2: the other upper and the other lower one. lead, N: coefficients of
-    D and of the numerator. sigma: iq. S, B, h: those of the vehicle, S[k][i][j] that of σᵏ. places: of the contacts.
+    D and of the numerator. sigma: iq. places: of the contacts; distances: the different ones between them, with
+    their signs.
     """
 
     a: Any
@@ -33,16 +34,23 @@ class Parts:
     lead: Any
     N: Any
     sigma: Any
-    S: Any
-    B: Any
-    h: Any
     places: Sequence[Any]
+    distances: Sequence[Any]
+    signs: Sequence[int]
     one: Any
     zero: Any
 
+    def passing(self, wave: Any) -> list[Any]:
+        """What it is at each contact."""
+        return [(wave * x).exp() for x in self.places]
 
-def entries(parts: Parts, order: Sequence[Sequence[int]]) -> list[list[Any]]:
-    """The matrix: rows of bodies, contacts, and μ. order[i][j]: the sign of x_i − x_j."""
+    def excited(self, wave: Any) -> list[Any]:
+        """What a force at each contact does to its unknown, the sign as in the row that defines it."""
+        return [-((wave * x).times(-1).exp()) for x in self.places]
+
+
+def of_one(parts: Parts) -> list[Any]:
+    """What `Bordering` with one wave, μ, takes in the place of receptances."""
     a, b, a2, b2, one = parts.a, parts.b, parts.a2, parts.b2, parts.one
     slope_a = parts.lead * (a + -b) * (a + -a2) * (a + -b2)
     slope_a2 = parts.lead * (a2 + -a) * (a2 + -b) * (a2 + -b2)
@@ -52,30 +60,22 @@ def entries(parts: Parts, order: Sequence[Sequence[int]]) -> list[list[Any]]:
     ahead, back = parts.N * slope_a2.inverse(), parts.N * slope_b2.inverse()
     meeting = parts.N * (parts.lead * (b + -a2) * (b + -b2)).inverse()
 
-    def receptance(i: int, j: int) -> Any:
+    def receptance(xi: Any, sign: int) -> Any:
         """e^{aξ} H(ξ)."""
-        if not order[i][j]:
+        if not sign:
             return parts.zero
-        xi = parts.places[i] + -parts.places[j]
-        if order[i][j] > 0:
+        if sign > 0:
             return ((a2 * xi).exp() + -(a * xi).exp()) * ahead
         first = (a * xi).exp() * xi * ((b + -a) * xi).quotient() * meeting
         return -(first + ((b2 * xi).exp() + -(a * xi).exp()) * back)
 
-    bodies, contacts = range(len(parts.B)), range(len(parts.places))
-    rows = []
-    for i in bodies:
-        rows.append([*_pencil(parts, i), *(-parts.B[i][j] for j in contacts), parts.zero])
-    for i in contacts:
-        own = [receptance(i, j) + parts.h[i] if i == j else receptance(i, j) for j in contacts]
-        rows.append([*(parts.B[j][i] for j in bodies), *own, (a * parts.places[i]).exp()])
-    waves = [-((a * x).times(-1).exp()) for x in parts.places]
-    return [*rows, [*(parts.zero for _ in bodies), *waves, over_g]]
+    G = [receptance(xi, sign) for xi, sign in zip(parts.distances, parts.signs, strict=True)]
+    return [*G, *parts.passing(a), *parts.excited(a), over_g]
 
 
-def entries_of_two(parts: Parts, order: Sequence[Sequence[int]]) -> list[list[Any]]:
-    """The matrix with an unknown for a and one for a′: bounded where b meets a, where b′ meets a′, or both."""
-    a, b, a2, b2, lead, places = parts.a, parts.b, parts.a2, parts.b2, parts.lead, parts.places
+def of_two(parts: Parts) -> list[Any]:
+    """The same with unknowns for a and a′: bounded where b meets a, where b′ meets a′, or both."""
+    a, b, a2, b2, lead = parts.a, parts.b, parts.a2, parts.b2, parts.lead
     inverse = parts.N.inverse()
     pairs = []  # of (a, b) and (a′, b′): 1/g, r(a), (r(a) − r(b))/(a − b)
     for (x, y), (x2, y2) in (((a, b), (a2, b2)), ((a2, b2), (a, b))):
@@ -84,29 +84,12 @@ def entries_of_two(parts: Parts, order: Sequence[Sequence[int]]) -> list[list[An
         bend = ((x + y) * lead * inverse).times(-2) * r * second.inverse()
         pairs.append((x, y, (x + -y) * first, r, bend))
 
-    def receptance(i: int, j: int) -> Any:
-        if order[i][j] >= 0:
-            return parts.zero
-        xi = places[i] + -places[j]
+    def receptance(xi: Any, sign: int) -> Any:
         total = parts.zero
-        for x, y, _, r, bend in pairs:
+        for x, y, _, r, bend in pairs if sign < 0 else ():
             total = total + r * (x * xi).exp() * xi * ((y + -x) * xi).quotient() + bend * (y * xi).exp()
         return -total
 
-    bodies, contacts = range(len(parts.B)), range(len(places))
-    rows = []
-    for i in bodies:
-        rows.append([*_pencil(parts, i), *(-parts.B[i][j] for j in contacts), parts.zero, parts.zero])
-    for i in contacts:
-        own = [receptance(i, j) + parts.h[i] if i == j else receptance(i, j) for j in contacts]
-        rows.append([*(parts.B[j][i] for j in bodies), *own, *((x * places[i]).exp() for x, *_ in pairs)])
-    for k, (x, _, over_g, *_) in enumerate(pairs):
-        waves = [-((x * place).times(-1).exp()) for place in places]
-        ends = (over_g, parts.zero) if k == 0 else (parts.zero, over_g)
-        rows.append([*(parts.zero for _ in bodies), *waves, *ends])
-    return rows
-
-
-def _pencil(parts: Parts, i: int) -> list[Any]:
-    S, sigma = parts.S, parts.sigma
-    return [S[0][i][j] + sigma * (S[1][i][j] + sigma * S[2][i][j]) for j in range(len(parts.B))]
+    G = [receptance(xi, sign) for xi, sign in zip(parts.distances, parts.signs, strict=True)]
+    corners = [pairs[0][2], parts.zero, parts.zero, pairs[1][2]]
+    return [*G, *parts.passing(a), *parts.passing(a2), *parts.excited(a), *parts.excited(a2), *corners]

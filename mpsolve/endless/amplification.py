@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from mpsolve.certificate.certify import certify
 from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.bordering import direct_contacts
 from mpsolve.characteristic.start import start
 from mpsolve.endless.ratio import Ratio
 from mpsolve.errors import InputError, PrecisionError
@@ -136,7 +137,7 @@ def _band(reduced: Reduced, band: object) -> tuple[Fraction, Fraction]:
 
 def _at_zero(reduced: Reduced) -> bool:
     """Whether the ratio has a plain meaning at frequency 0: the outer wheels are masses of their own."""
-    direct = {d.contact: d.body for d in Arrays(reduced).direct}
+    direct = {d.contact: d.body for d in direct_contacts(reduced)}
     bodies = [direct.get(0), direct.get(reduced.contacts - 1)]
     return all(
         body is not None and not any(rows[i][body] for rows in reduced.S for i in range(reduced.bodies) if i != body)

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.determinant import Bordering
+from mpsolve.characteristic.bordering import Bordering
 from mpsolve.characteristic.floats import Receptance
 from mpsolve.characteristic.receptance import Coefficients, Terms
 from mpsolve.endless.lattice import Lattice
@@ -59,9 +59,9 @@ class Bloch:
         lattice = Lattice(self.border.distances, self.row.step)
         with np.errstate(all="ignore"):
             G, slopes = lattice.sums(self.terms(sigma), self.upper, z, float, np.exp)
-            A = _K.matrix(self.border.rows(_K, sigma, G))
+            A = self.border.at(_K, sigma, G)
             value = np.linalg.det(A)
-            turned = np.linalg.solve(A, _K.matrix(self.border.slopes(_K, sigma, G, slopes)))
+            turned = np.linalg.solve(A, self.border.slope_at(_K, sigma, G, slopes))
         return value, value * turned.trace(axis1=-2, axis2=-1)
 
     def scatterer(self, sigma: Any) -> Any:
@@ -78,7 +78,7 @@ class Bloch:
         given = w[:, :, None] * np.exp(P[:, :, None] * np.where(ahead[:, None], d - x, -x))
         given = given * np.where(ahead, -1.0, 1.0)[:, None]
         G = self.receptance(sigma, self.border.distances, slope=False)[0]
-        A = _K.matrix(self.border.rows(_K, sigma, G))
+        A = self.border.at(_K, sigma, G)
         bodies = A.shape[-1] - len(x)
         load = np.concatenate([np.zeros((len(sigma), bodies, P.shape[1])), field], 1)
         forces = np.linalg.solve(A, load)[:, bodies:, :]

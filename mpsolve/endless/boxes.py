@@ -16,7 +16,7 @@ from mpsolve.endless.lattice import first_force
 from mpsolve.endless.row import Row
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.frozen import frozen
-from mpsolve.numbers.jets import Jet, U, nearest
+from mpsolve.numbers.jets import Jet, U, joined, nearest
 from mpsolve.proof.definite import positive
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import subdivide
@@ -72,12 +72,7 @@ class LatticeArrays(Arrays):
                 first, factor = first_force(a, self.step, ahead)
                 wave = (p * nearest(first)).exp() * heavy
                 columns.append((wave if not factor else wave * (point if factor > 0 else back)).sum(1))
-            own = Jet(
-                np.stack([c.a for c in columns], 1),
-                np.stack([c.b for c in columns], 1),
-                np.stack([c.e for c in columns], 1),
-                P.r,
-            )
+            own = joined([column[:, None] for column in columns])
             total = own if total is None else total + own
         if total is None:
             shape = (len(z), len(exact))

@@ -197,7 +197,6 @@ class RowMatrix(FreeMatrix):
     def variables(self) -> int:
         return 2 + len(self.family.paths)
 
-    def own(self, y: Any, rho: Any) -> tuple[Quadratic, Quadratic, Quadratic, Quadratic]:
-        """S, B twice and h, which do not depend on θ."""
-        S, push, B, h = super().own(y[:-1], rho[:-1])
-        return lifted(S, len(y)), lifted(push, len(y)), lifted(B, len(y)), lifted(h, len(y))
+    def polynomials(self, y: Any, rho: Any) -> Quadratic:
+        """They do not depend on θ."""
+        return lifted(super().polynomials(y[:-1], rho[:-1]), len(y))

@@ -13,7 +13,7 @@ from mpsolve.endless.bloch import Bloch
 from mpsolve.endless.lattice import Lattice
 from mpsolve.endless.row import Row
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.balls import Balls, acb, acb_mat, arb, precision, rational_ball
+from mpsolve.numbers.balls import Balls, acb, arb, precision, rational_ball
 from mpsolve.numbers.packed import Portable
 from mpsolve.numbers.reduction import Reduction
 from mpsolve.proof.ladder import climb
@@ -59,8 +59,8 @@ class RowProved(Proved):
         G, slopes = lattice.sums(split.terms, self.upper, self.z, rational_ball, lambda x: x.exp())
         if not all(g.is_finite() for g in (*G, *slopes)):
             raise PrecisionError("the receptance of the row may be infinite over the ball")
-        A_sigma = acb_mat(self.border.slopes(_K, sigma, G, slopes)) if slope else None
-        return acb_mat(self.border.rows(_K, sigma, G)), A_sigma
+        A_sigma = self.border.slope_at(_K, sigma, G, slopes) if slope else None
+        return self.border.at(_K, sigma, G), A_sigma
 
 
 def find_growing(row: Row, most: float) -> Growing | None:

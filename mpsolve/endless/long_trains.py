@@ -54,7 +54,7 @@ def cell(row: Row, sigma: Any) -> Any:
     if split.roots is None:
         raise PrecisionError("two p-roots of one side may meet")
     A, _ = proved.matrices(sigma, slope=False, mean=False)
-    p_roots, up, bodies, d = split.roots, proved.upper, len(proved.border.S), row.step
+    p_roots, up, bodies, d = split.roots, proved.upper, row.reduced.bodies, row.step
     n = len(p_roots)
     places = [row.reduced.places[k] for k in row.reduced.index]
     x = [place - places[0] + (d - (places[-1] - places[0])) / 2 for place in places]

@@ -11,13 +11,16 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from functools import lru_cache, reduce
-from typing import Any
+from typing import Any, cast
 
 import flint
+from flint import acb as acb
+from flint import acb_mat as acb_mat
+from flint import acb_poly as acb_poly
+from flint import arb as arb
+from flint import arb_mat as arb_mat
 
 from mpsolve.errors import PrecisionError
-
-arb, acb, arb_mat, acb_mat, acb_poly = flint.arb, flint.acb, flint.arb_mat, flint.acb_mat, flint.acb_poly
 
 _lock = vars(flint).setdefault("_precision_lock", threading.RLock())
 _THIN = 30
@@ -55,6 +58,11 @@ def terms(number: int) -> Iterator[None]:
 def rational_ball(x: Fraction) -> Any:
     """The real ball of a rational, at the precision that is set."""
     return arb(flint.fmpq(x.numerator, x.denominator))
+
+
+def complex_roots(f: flint.fmpz_poly | flint.fmpq_poly) -> list[tuple[acb, int]]:
+    """Disjoint balls of all roots, those of real ones real, and their multiplicities."""
+    return cast("list[tuple[acb, int]]", f.complex_roots())
 
 
 def square(radius: Any) -> Any:
@@ -107,7 +115,7 @@ class Balls:
         return row(acb_poly([middle, 1]))(z - middle)
 
     def matrix(self, rows: Sequence[Sequence[Any]]) -> Any:
-        return acb_mat([list(row) for row in rows]) if rows else acb_mat(0, 0)
+        return acb_mat([list(row) for row in rows]) if len(rows) else acb_mat(0, 0)
 
     def times(self, a: Any, factor: Any) -> Any:
         return a * acb(factor)

@@ -26,7 +26,7 @@ class Float64:
 
     def matrix(self, rows: Sequence[Sequence[Any]]) -> Any:
         shape = np.broadcast_shapes(*(np.shape(x) for row in rows for x in row))
-        columns = len(rows[0]) if rows else 0
+        columns = len(rows[0]) if len(rows) else 0
         out = np.empty((*shape, len(rows), columns), complex)
         for i, row in enumerate(rows):
             for j, x in enumerate(row):

@@ -11,6 +11,7 @@ loses a factor that `UP` covers, so bounds themselves are rounded as they come a
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -144,6 +145,12 @@ class Jet:
         r = self.r.reshape(self.r.shape + (1,) * (a.ndim - 1))
         lost = (np.abs(self.a)).sum(axis) + (np.abs(self.b)).sum(axis) * r
         return Jet(a, b, (self.e.sum(axis) + 2 * terms * U * lost) * UP + TINY, self.r)
+
+
+def joined(parts: Sequence[Jet], axis: int = -1) -> Jet:
+    """Side by side along an axis after the leading one."""
+    a, b, e = (np.concatenate([getattr(part, key) for part in parts], axis) for key in "abe")
+    return Jet(a, b, e, parts[0].r)
 
 
 def exponential(z: Any) -> tuple[Any, Any]:

@@ -26,7 +26,7 @@ class Multiprecision:
         return total
 
     def matrix(self, rows: Sequence[Sequence[Any]]) -> Any:
-        return self.mp.matrix([list(row) for row in rows]) if rows else self.mp.matrix(0, 0)
+        return self.mp.matrix([list(row) for row in rows]) if len(rows) else self.mp.matrix(0, 0)
 
     def times(self, a: Any, factor: Any) -> Any:
         return a * factor

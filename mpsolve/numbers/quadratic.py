@@ -8,7 +8,7 @@ has e = ∞ or nan, with which no comparison proves anything.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -175,7 +175,7 @@ class Quadratic:
         return Quadratic(k, (self.e.sum(axis) + lost) * UP + TINY, self.m)
 
 
-def joined(parts: Iterator[Quadratic] | list[Quadratic], axis: int) -> Quadratic:
+def joined(parts: Iterable[Quadratic], axis: int = -1) -> Quadratic:
     """Side by side along an axis counted from the end."""
     every = list(parts)
     k = np.concatenate([part.k for part in every], axis)

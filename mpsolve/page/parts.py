@@ -150,12 +150,18 @@ def shape_of(problem: Problem, spectrum: Spectrum) -> Any:
 
 
 def response_of(problem: Problem, spectrum: Spectrum, loads: Any) -> Any:
-    """The motion from the moment at which the vehicle is put on the track, under its weights or the file's loads."""
+    """The motion from the moment at which the vehicle is put on the track, under its weights or the file's loads.
+
+    Its first lift-off is sought here, as it takes time. A spectrum that knows growth alone is no help to a motion.
+    """
     from mpsolve.vibration.response import response
 
     duration = _duration(spectrum)
     times = np.linspace(0.0, duration, 600)
-    return response(problem, loads, places=problem.pencil.places, times=times, spectrum=spectrum)
+    known = None if isinstance(spectrum.region, HalfPlane) else spectrum
+    found = response(problem, loads, places=problem.pencil.places, times=times, spectrum=known)
+    _ = found.lift_off
+    return found
 
 
 def _duration(spectrum: Spectrum) -> float:

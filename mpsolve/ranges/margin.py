@@ -15,7 +15,7 @@ from mpsolve.problem.ratios import ratios_of
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval
-from mpsolve.ranges.parted import not_whole
+from mpsolve.ranges.left_out import not_whole
 from mpsolve.ranges.unstable import UnstableRanges, unstable_ranges
 
 

@@ -17,8 +17,8 @@ from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.answer import Answer, Interval, Valued
 from mpsolve.ranges.crossed import Crossings
 from mpsolve.ranges.first import BEYOND, quarter, up_to_first
+from mpsolve.ranges.left_out import LeftOut
 from mpsolve.ranges.onset_worst import AtWorst, at_worst
-from mpsolve.ranges.parted import LeftOut
 from mpsolve.ranges.scope import checked_over
 from mpsolve.ranges.unstable import found_in, intervals_of, near, shared
 

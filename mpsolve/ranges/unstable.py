@@ -21,7 +21,7 @@ from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Answer, Interval
 from mpsolve.ranges.crossed import Crossings
 from mpsolve.ranges.crossings import find
-from mpsolve.ranges.parted import LeftOut
+from mpsolve.ranges.left_out import LeftOut
 from mpsolve.ranges.scope import checked_over, one_path
 
 SHARED = ("status", "reason", "known", "proofs", "cost", "certificate", "note", "left_out")

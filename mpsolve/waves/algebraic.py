@@ -15,7 +15,7 @@ from typing import Any
 from flint import fmpq_poly, fmpz_poly
 
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.balls import acb, acb_poly, arb, precision
+from mpsolve.numbers.balls import acb, acb_poly, arb, complex_roots, precision
 from mpsolve.numbers.realroots import end_of
 from mpsolve.proof.ladder import climb
 
@@ -49,7 +49,7 @@ def _real_roots(coefficients: tuple[int, ...], bits: int) -> tuple[Any, ...]:
 def _isolated_reals(m: fmpz_poly) -> list[Any]:
     if m.degree() == 1:
         return [arb(-m[0]) / arb(m[1])]
-    found = [arb(root.real) for root, _ in m.complex_roots() if root.imag == 0]
+    found = [arb(root.real) for root, _ in complex_roots(m) if root.imag == 0]
     return sorted(found, key=middle)
 
 

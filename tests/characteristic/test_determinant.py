@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 from residue import TRACKS, Residues, holds, random_track
 
-from mpsolve.characteristic.determinant import Bordering, delta, evans
+from mpsolve.characteristic.bordering import Bordering
+from mpsolve.characteristic.determinant import delta, evans
 from mpsolve.characteristic.floats import Floats
 from mpsolve.characteristic.proved import Proved
 from mpsolve.characteristic.splitting import Splitting, monic, split_digits
@@ -40,7 +41,7 @@ def both(reduced: Reduced, sigma: Any, digits: int) -> tuple[Any, Any, Any]:
     K, split_, truth = split(reduced, sigma, digits)
     border = Bordering.of(reduced, eliminate=False)
     G = [truth(x, sigma) for x in border.distances]
-    delta = K.det(K.matrix(border.rows(K, K.mp.mpmathify(sigma), G)))
+    delta = K.det(border.at(K, K.mp.mpmathify(sigma), G))
     product, R = evans(K, reduced, Symbols.of(reduced.guide), split_, K.mp.mpmathify(sigma))
     return product, R, delta
 
@@ -63,31 +64,6 @@ def test_it_is_r_times_delta(track: Any, v: Fraction) -> None:
     for sigma in (0.5 + 0.25j, 0.125 - 1.5j):
         product, R, delta = both(reduced, sigma, 40)
         assert abs(product / (R * delta) - 1) < 1e-25
-
-
-@pytest.mark.parametrize("mass", [Fraction(3), Fraction(900)])
-def test_direct_contacts_are_taken_out(mass: Fraction) -> None:
-    """The determinant changes by the constant ±Π b, its slope with it; a sprung wheel and a bogie's wheels remain."""
-    reduced = reduce_problem(Problem(BEAM, [BOGIE.at(1), Mass(mass).at(-1), Mass(2).at("0.5")], "0.7"))
-    whole, small = Bordering.of(reduced, eliminate=False), Bordering.of(reduced)
-    K, truth = Multiprecision(60), Residues(reduced.guide, 60)
-    factor = K.number(Fraction(1))
-    for _, _, b in small.direct:
-        factor *= K.number(b)
-    assert len(small.direct) == 2
-    for sigma in (0.5 + 0.25j, 0.125 - 1.5j):
-        s, h = K.mp.mpmathify(sigma), K.mp.mpf(10) ** -15
-
-        def det(border: Bordering, s: Any) -> Any:
-            return K.det(K.matrix(border.rows(K, s, [truth(x, s) for x in border.distances])))
-
-        assert abs(abs(det(whole, s) / det(small, s) / factor) - 1) < 1e-40
-        G, G_sigma = ([f(x, s) for x in small.distances] for f in (truth, truth.slope))
-        A, A_sigma = K.matrix(small.rows(K, s, G)), K.matrix(small.slopes(K, s, G, G_sigma))
-        trace = K.solve(A, A_sigma)
-        rate = sum(trace[i, i] for i in range(A.rows))
-        change = (det(small, s + h) - det(small, s - h)) / (2 * h) / det(small, s)
-        assert abs(rate / change - 1) < 1e-20
 
 
 def test_one_function_in_three_arithmetics() -> None:

@@ -15,7 +15,7 @@ def test_the_matrix_is_that_of_the_problem() -> None:
         sigma = acb("0.01", "0.9")
         free = FreeProved(family, FreeMatrix(family).receptance.track.up)
         A, _ = free.matrices(sigma, [rational_ball(y) for y in x])
-        whole = Proved(family.reduced(x), eliminate=False).matrices(sigma, False)[0]
+        whole = Proved(family.reduced(x)).matrices(sigma, False)[0]
         assert all((a - b).contains(0) for a, b in zip(A.entries(), whole.entries(), strict=True))
         assert max(float(a.rad()) for a in A.entries()) < 1e-30
 

@@ -1,9 +1,14 @@
 """The bordered matrix against the receptance by its residues, at arbitrary p-roots."""
 
+from fractions import Fraction
+from types import SimpleNamespace
+from typing import Any
+
 import numpy as np
 import pytest
 
-from mpsolve.cuts.entries import Parts, entries, entries_of_two
+from mpsolve.characteristic.bordering import Bordering
+from mpsolve.cuts.entries import Parts, of_one, of_two
 from mpsolve.cuts.sloped import Sloped
 from mpsolve.numbers.balls import acb, precision
 
@@ -36,16 +41,18 @@ def test_the_determinant_is_that_of_the_receptance_over_g(roots: tuple[complex, 
     gain = np.array([[G(x - y) for y in places] for x in places]) + np.diag(h)
     truth = np.linalg.det(np.block([[pencil, -B], [B.T, gain]]))
 
-    def matrix(rows: object) -> list[list[Sloped]]:
-        return [[number(x) for x in row] for row in rows]  # type: ignore[attr-defined]
-
-    parts = Parts(
-        *map(number, (a, b, a2, b2, lead, N, sigma)), [matrix(s) for s in S], matrix(B),
-        [number(x) for x in h], [number(x) for x in places], number(1), number(0),
-    )  # fmt: skip
-    order = [[0, -1], [1, 0]]
-    with precision(80):
-        for unknowns, rows in ((1, entries(parts, order)), (2, entries_of_two(parts, order))):
-            if unknowns == 2 or not met:
-                found = np.linalg.det(np.array([[complex(x.value.mid()) for x in row] for row in rows]))
-                assert abs(found / (truth / over[unknowns]) - 1) < (1e-5 if met else 1e-12)
+    exact = [Fraction(x) for x in places]
+    bodies = [[[Fraction(x) for x in row] for row in rows] for rows in (*S, B)]
+    given: Any = SimpleNamespace(S=bodies[:3], B=bodies[3], h=[Fraction(x) for x in h], places=exact, index=(0, 1))
+    for unknowns, received in ((1, of_one), (2, of_two)):
+        border = Bordering.of(given, eliminate=False, waves=unknowns)
+        contacts, apart = ([number(float(x)) for x in some] for some in (exact, border.distances))
+        with precision(80):
+            parts = Parts(
+                *map(number, (a, b, a2, b2, lead, N, sigma)), contacts, apart, border.signs, number(1), number(0)
+            )
+            g = np.array([complex(x.value.mid()) for x in received(parts)])
+        f = np.array([sum(float(c) * sigma**k for k, c in enumerate(row)) for row in border.polynomials])
+        if unknowns == 2 or not met:
+            found = np.linalg.det(border.matrix(f, g))
+            assert abs(found / (truth / over[unknowns]) - 1) < (1e-5 if met else 1e-12)

@@ -38,13 +38,13 @@ def test_the_ratio_is_that_of_the_receptances() -> None:
 
 def shaken_in_full(reduced: Reduced, q: float, source: int, target: int) -> float:
     """The same by the whole bordered matrix with a unit in the row of the contact."""
-    from mpsolve.characteristic.determinant import Bordering
+    from mpsolve.characteristic.bordering import Bordering
     from mpsolve.characteristic.floats import Receptance
     from mpsolve.numbers.float64 import Float64
 
     border, sigma = Bordering.of(reduced, eliminate=False), np.array([1j * q])
     G = Receptance(reduced.guide)(sigma, border.distances, slope=False)[0]
-    A = Float64().matrix(border.rows(Float64(), sigma, G))[0]
+    A = border.at(Float64(), sigma, G)[0]
     right = np.zeros(len(A))
     right[reduced.bodies + source] = 1
     force = np.linalg.solve(A, right)[reduced.bodies :]

@@ -10,7 +10,7 @@ import pytest
 from residue import TRACKS, Residues, holds, random_track
 
 from mpsolve import Case, certify
-from mpsolve.characteristic.determinant import Bordering
+from mpsolve.characteristic.bordering import Bordering
 from mpsolve.characteristic.floats import Floats
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import PrecisionError
@@ -56,7 +56,7 @@ def true_root(reduced: Reduced, start: Any, digits: int) -> Any:
     truth, K, border = Residues(reduced.guide, digits), Multiprecision(digits), Bordering.of(reduced)
 
     def delta(sigma: Any) -> Any:
-        return K.det(K.matrix(border.rows(K, sigma, [truth(x, sigma) for x in border.distances])))
+        return K.det(border.at(K, sigma, [truth(x, sigma) for x in border.distances]))
 
     mp = K.mp
     a, b = mp.mpmathify(start), mp.mpmathify(start) * (1 + mp.mpf(10) ** -12)
