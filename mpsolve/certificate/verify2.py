@@ -22,7 +22,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache, partial
 from itertools import combinations, pairwise, product
 from math import comb, prod
-from operator import lt, mul
+from operator import lt
 from typing import Any
 
 import flint
@@ -32,7 +32,7 @@ MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 20_000, 1e9,
 ARCS = 24
 MAX_ROWS, MAX_BODIES, MAX_CONTACTS, MAX_DEGREE, MAX_BITS, MAX_MULTIPLICITY = 5, 192, 64, 24, 70_000, 8
 MAX_TERMS, MAX_SIZE, BOXES = 120, 20_000, 20_000  # with free parameters: of a track, a polynomial; parts of a range
-SMALL = 8  # matrices up to this size are eliminated entry by entry
+SMALL, CORNERS = 8, 3  # matrices up to this size are eliminated entry by entry; exact in so many variables
 RING = fmpq_mpoly_ctx.get(("P", "s"), "lex")
 P_, S_ = RING.gens()
 
@@ -709,10 +709,10 @@ class Form:
     order. e: a list. m: the number of variables; 0 for numbers, which are balls without a rest.
     """
 
-    def __init__(self, k: Rows, e: list[Any], m: int) -> None:
+    def __init__(self, k: Rows, e: list[Any], m: int, known: dict[int, list[Any]] | None = None) -> None:
         self.k, self.e, self.m = k, e, m
         self.second = pairs(m) if len(k) > 1 + m else ()  # the coefficients of second order
-        self.known: dict[int, list[Any]] = {}
+        self.known = known or {}  # bounds, see `sizes`
 
     def sizes(self, order: int) -> list[Any]:
         """Bounds of the constants, of the linear, of the quadratic parts: order 0, 1, 2; of all, and the rest: 3."""
@@ -743,21 +743,25 @@ class Form:
         return Form(k, [x + y for x, y in zip(self.e, other.e, strict=True)], self.m)
 
     def __neg__(self) -> Form:
-        return Form([[-x for x in row] for row in self.k], self.e, self.m)
+        return Form([[-x for x in row] for row in self.k], self.e, self.m, self.known)
 
     def scaled(self, c: Sequence[Any]) -> Form:
         """Times numbers."""
+        size = [abs(y) for y in c]
         k = [[x * y for x, y in zip(row, c, strict=True)] for row in self.k]
-        return Form(k, [x * abs(y) for x, y in zip(self.e, c, strict=True)], self.m)
+        e, *known = [[x * y for x, y in zip(row, size, strict=True)] for row in (self.e, *self.known.values())]
+        return Form(k, e, self.m, dict(zip(self.known, known, strict=True)))
 
     def plus(self, c: Sequence[Any]) -> Form:
-        return Form([[x + y for x, y in zip(self.k[0], c, strict=True)], *self.k[1:]], self.e, self.m)
+        known = {order: row for order, row in self.known.items() if order in (1, 2)}
+        return Form([[x + y for x, y in zip(self.k[0], c, strict=True)], *self.k[1:]], self.e, self.m, known)
 
     def rested(self, more: Sequence[Any]) -> Form:
         """The same with more in the rest, or in the numbers where nothing varies."""
         if not self.m:
             return self.plus([box(x) for x in more])
-        return Form(self.k, [x + y for x, y in zip(self.e, more, strict=True)], self.m)
+        known = {order: row for order, row in self.known.items() if order < 3}
+        return Form(self.k, [x + y for x, y in zip(self.e, more, strict=True)], self.m, known)
 
     def take(self, which: Sequence[int]) -> Form:
         """The functions of these numbers."""
@@ -767,9 +771,8 @@ class Form:
         return self.picked(lambda row: row[start:end])
 
     def picked(self, some: Callable[[list[Any]], list[Any]]) -> Form:
-        out = Form([some(row) for row in self.k], some(self.e), self.m)
-        out.known = {order: some(row) for order, row in self.known.items()}
-        return out
+        known = {order: some(row) for order, row in self.known.items()}
+        return Form([some(row) for row in self.k], some(self.e), self.m, known)
 
     def __mul__(self, other: Form) -> Form:
         """One by one."""
@@ -791,7 +794,7 @@ class Form:
         # |f g'| and |f' g| with all of f', g' but one rest, which is counted once
         rows = zip(beyond, self.size, self.e, other.size, other.e, strict=True)
         e = [w + q * f + (p - f) * g for w, p, f, q, g in rows]
-        return Form(k, e, self.m)
+        return Form(k, e, self.m, {0: [x * y for x, y in zip(self.sizes(0), other.sizes(0), strict=True)]})
 
     def inverse(self) -> Form:
         """1/f = (1 − w + w² − …)/k_0 with f = k_0 (1 + w), |w| ≤ y < 1: the rest of the series is y^n/(1 − y)."""
@@ -804,19 +807,19 @@ class Form:
         for n, i, j in second:
             twice = 1 if i == j else 2
             k.append([(p * q * twice - x) * y for p, q, x, y in zip(w[i], w[j], w[n], c, strict=True)])
-        e = []
-        for x, p, q, f in zip(c, self.sizes(1), self.sizes(2), self.e, strict=True):
-            size = abs(x)
+        e, sizes = [], [abs(x) for x in c]
+        for size, p, q, f in zip(sizes, self.sizes(1), self.sizes(2), self.e, strict=True):
             p, q, f = p * size, q * size, f * size
             y = p + q + f
             require(y < 0.95, "a quantity may be infinite")
             e.append(size * (f + ((q + f) * (p + y) + y**3 / (1 - y) if second else y * y / (1 - y))))
-        return Form(k, e, self.m)
+        return Form(k, e, self.m, {0: sizes})
 
     def exp(self) -> Form:
         """e^f = e^{k_0}(1 + w + …): what is left out of its series is that of e^y, |w| ≤ y; but where y is large
         |e^f| ≤ e^{Re k_0 + y} says more."""
         value, second, e = [x.exp() for x in self.k[0]], self.second, []
+        sizes = [abs(x) for x in value]
         if not self.m:
             return Form([value], self.e, 0)
         k = [value] + [[x * y for x, y in zip(row, value, strict=True)] for row in self.k[1 : 1 + self.m]]
@@ -830,12 +833,13 @@ class Form:
             if y < 2:
                 left = y.expm1() - y
                 left = left - y * y / 2 + (q + f) * (p + y) / 2 if second else left
-                e.append(abs(value[n]) * (f + left))
+                e.append(sizes[n] * (f + left))
             else:
-                e.append((self.k[0][n].real + y).exp())
+                e.append(sizes[n] * y.exp())
+                sizes[n] = ZERO
                 for row in k:
                     row[n] = NONE
-        return Form(k, e, self.m)
+        return Form(k, e, self.m, {0: sizes})
 
 
 ZERO, NONE = arb(0), acb(0)
@@ -981,6 +985,13 @@ class Place:
         return self.form(self.taylor(polynomials))
 
 
+def horner(row: Sequence[Any], x: Any) -> Any:
+    total = row[-1]
+    for c in row[-2::-1]:
+        total = total * x + c
+    return total
+
+
 def powers(x: Any, n: int) -> list[Any]:
     """x^0 … x^n."""
     out = [acb(1)]
@@ -1023,14 +1034,23 @@ class Local:
 
     def about(self, z: Sequence[Any], table: Any) -> tuple[list[Form], list[list[Any]]]:
         """Of E_i in Σ f_j (z + h)^j = Σ E_i h^i, for each z: the first ones, and bounds of all from E_2 on."""
-        size, width = table.nrows(), table.ncols()
-        rows = table.tolist()
-        steps = [[comb(i + j, i) * x for i in range(size - j) for x in rows[i + j]] for j in range(size)]
-        filled = [[*row, *[NONE] * (width * j)] for j, row in enumerate(steps)]
-        E = (acb_mat([powers(x, size - 1) for x in z]) * acb_mat(filled)).tolist()
-        columns = [list(x) for x in zip(*E, strict=True)]
-        forms = [self.place.of_columns(columns[i * width : (i + 1) * width]) for i in range(size)]
-        return forms[: self.place.order + 2], [*([] for _ in forms[:2]), *(f.size for f in forms[2:])]
+        n, width, m, columns = len(z), self.place.width, self.place.m, table.transpose().tolist()
+        for column in columns:
+            while column and column[-1].is_zero():
+                column.pop()
+        forms, bounds = [], list[list[Any]]()
+        for i in range(table.nrows()):
+            k, sizes = [], []
+            for number, column in enumerate(columns):
+                c = [comb(j, i) * x for j, x in enumerate(column[i:], i)] if i else column
+                row = [horner(c, x) for x in z] if len(c) > 1 else (c or [NONE]) * n
+                k.append(row)
+                if number >= width or i > 1:
+                    sizes.append([x.abs_upper() for x in row] if len(c) > 1 else [row[0].abs_upper()] * n)
+            bounds.append(sums(sizes, n) if i > 1 else [])
+            known = {0: sizes[0], 1: sums(sizes[1 : 1 + m], n)} if i > 1 else {}
+            forms.append(Form(k[:width], sums(sizes[len(sizes) - len(columns) + width :], n), m, known))
+        return forms[: self.place.order + 2], bounds
 
 
 class Waves:
@@ -1077,8 +1097,8 @@ class Nodes:
             else:
                 inverse[i, k] = inverse[k, i] = 1 / size
         self.inverse = inverse
-        self.table = acb_mat([powers(x, n) for x in z]) * local.D
-        self.values = local.place.form(self.table)
+        self.rows = (acb_mat([powers(x, n) for x in z]) * local.D).tolist()
+        self.values = local.place.of_columns([list(x) for x in zip(*self.rows, strict=True)])
 
     @property
     def least(self) -> Any:
@@ -1153,16 +1173,24 @@ class Split:
     def pair(self, sigma: Any) -> list[Any]:
         """The a_k at a σ of the disc, in balls: W_k/(1 + x), |x| ≤ Σ τ_l/|z_k − z_l|."""
         nodes, place = self.nodes, self.nodes.local.place
-        u = powers((sigma - place.middle[0]) / place.half[0] if place.m else ZERO, nodes.table.ncols() - 1)
-        column, low = acb_mat(len(u), 1, u), nodes.local.D.nrows() - 1
-        lead = sum((nodes.local.D[low, j] * x for j, x in enumerate(u)), NONE)
-        s = (nodes.inverse * arb_mat(len(self.tight), 1, self.tight)).entries()
-        values = zip((nodes.table * column).entries(), nodes.all, s, strict=True)
-        return [d / (lead * size) * (1 + box(x / (1 - x))) for d, size, x in values]
+        u = (sigma - place.middle[0]) / place.half[0] if place.m else ZERO
+        lead, *values = (horner(row, u) for row in (nodes.local.D.tolist()[-1], *nodes.rows))
+        return [d / (lead * size) * x for d, size, x in zip(values, nodes.all, self.spread, strict=True)]
+
+    @cached_property
+    def spread(self) -> list[Any]:
+        """Balls of 1/(1 + x), |x| ≤ Σ τ_l/|z_k − z_l|."""
+        s = (self.nodes.inverse * arb_mat(len(self.tight), 1, self.tight)).entries()
+        return [1 + box(x / (1 - x)) for x in s]
 
     def near(self, sigma: Any) -> Known:
         """Near the p-roots at a σ of the disc, or next to it."""
-        return [(z - a).mid() for z, a in zip(self.nodes.z, self.pair(sigma), strict=True)], self.nodes.up
+        nodes, place = self.nodes, self.nodes.local.place
+        moved, lead = nodes.values.k[0], nodes.local.D[nodes.local.degree, 0]
+        if place.m:
+            u = (sigma - place.middle[0]) / place.half[0]
+            moved = [x + y * u for x, y in zip(moved, nodes.values.k[1], strict=True)]
+        return [(z - x / (lead * y)).mid() for z, x, y in zip(nodes.z, moved, nodes.all, strict=True)], nodes.up
 
     def links(self, other: Split, sigma: Any) -> bool:
         """Whether the pair of another splitting is the one here, at a σ of both: |U(z_k)/U₀'(z_k)| < box_k."""
@@ -1183,8 +1211,9 @@ class Split:
 
 def p_roots(local: Local) -> list[Any]:
     """Near the roots of D(·, m), exact numbers, to half of the digits computed with: nothing rests on them."""
-    D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
-    size = abs(D[0] / D[local.degree]) ** arb(fmpq(1, local.degree))
+    D, n = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)]), local.degree
+    low = next((k for k in range(n) if D[k] != 0), 0)  # 0 may be a root
+    size = abs(D[low] / D[n]) ** arb(fmpq(1, n - low))
     try:
         D.roots(maxprec=2000)  # where two are one that is told before the digits cost much
         found = D.roots(tol=size * arb(2) ** (-flint.ctx.prec // 2), maxprec=2 * flint.ctx.prec + 1000)
@@ -1208,18 +1237,48 @@ def nodes_near(local: Local, known: Known | None = None) -> Nodes:
 
 def split_near(local: Local, known: Known) -> Split:
     """The pair over a place, or Refused: from nodes that go on from known ones, or next to them."""
-    D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
-    z, slope = known[0], D.derivative()
-    near = max(abs(x).upper() for x in z) * arb(2) ** (-flint.ctx.prec // 4)
-    for k in range(flint.ctx.prec.bit_length() + 4):  # by Newton's method: nothing rests on it
-        step = [(D(x) / slope(x)).mid() for x in z]
-        z = [(x - y).mid() for x, y in zip(z, step, strict=True)]
-        if k > 1 and all(abs(y) < near for y in step):  # the next one is about as its square
-            break
+    z = newton([local.D[i, 0].mid() for i in range(local.degree + 1)], known[0])
+    if z is None:  # real numbers find no complex roots, and where all are of one side any nodes would do for the pair
+        return nodes_near(local, known).split()
     try:
         return Nodes(z, known[1], local).split()
     except Refused:
         return nodes_near(local, known).split()
+
+
+def newton(D: Sequence[Any], z: Sequence[Any]) -> list[Any] | None:
+    """Nearer to the roots of Σ D_i P^i, by Newton's method, in floats where they do; None where it does not settle.
+
+    Nothing rests on it.
+    """
+    if flint.ctx.prec <= 64:
+        try:
+            c = [complex(x) for x in reversed(D)]
+            found = [in_floats(c, complex(x)) for x in z]
+            return None if None in found else [acb(x) for x in found]
+        except (OverflowError, ZeroDivisionError):
+            pass
+    p = acb_poly(D)
+    slope, near = p.derivative(), max(abs(x).upper() for x in z) * arb(2) ** (-flint.ctx.prec // 4)
+    for _ in range(flint.ctx.prec.bit_length() + 4):
+        step = [(p(x) / slope(x)).mid() for x in z]
+        z = [(x - y).mid() for x, y in zip(z, step, strict=True)]
+        if all(abs(y) < near for y in step):  # the next one is about as its square
+            return list(z)
+    return None
+
+
+def in_floats(c: Sequence[complex], z: complex) -> complex | None:
+    """A root of the polynomial with these coefficients, the highest first, near z; None where none is found."""
+    for _ in range(10):
+        value, slope = c[0], 0j
+        for x in c[1:]:
+            value, slope = value * z + x, slope * z + value
+        step = value / slope
+        z -= step
+        if abs(step) <= 1e-9 * abs(z):
+            return z
+    return None
 
 
 def sided(split: Split) -> bool:
@@ -1239,20 +1298,16 @@ def check_sides(split: Split) -> None:
 def residues(local: Local, z: Sequence[Any], e: Sequence[Any]) -> tuple[Form, Form]:
     """The one root in each disc of radius e round z, and N/D_P there.
 
-    With D(z + h) = Σ E_i h^i the root has h = −(E_0 + (E_1 − E_1(0))h + E_2h² + …)/E_1(0), put into itself.
+    With D(z + h) = Σ E_i h^i the root has h = −(E_0 + (E_1 − E_1(0))h + E_2h² + …)/E_1(0), in forms of first order.
     """
     (D, sizes), (N, above) = local.about(z, local.D), local.about(z, local.N)
     require(not any(x.contains(0) for x in D[1].k[0]), "a p-root may be double on a piece")
     c = [-1 / x for x in D[1].k[0]]
-    turn = Form([[NONE] * len(z), *D[1].k[1:]], D[1].e, D[1].m)
     rest = [ZERO] * len(z)
-    for size in (*reversed(sizes[2:]), turn.size):
+    for size in (*reversed(sizes[2:]), D[1].spread):
         rest = [(x + y) * r for x, y, r in zip(rest, size, e, strict=True)]
     h = D[0].rested(rest).scaled(c)
     e = [min_bound(x, y) for x, y in zip(e, h.size, strict=True)]
-    for _ in range(2 if h.second else 0):
-        h = along([D[0], turn, *D[2:]], sizes, h, e).scaled(c)
-        e = [min_bound(x, y) for x, y in zip(e, h.size, strict=True)]
     return h.plus(z), along(N, above, h, e) * along(D, sizes, h, e, True).inverse()
 
 
@@ -1541,18 +1596,21 @@ def near_inverse(a: Any) -> Any:
     return found
 
 
-def pivots(a: Any) -> Any:
-    """Σ Arg of the pivots of an elimination on the diagonal, in order."""
-    total = arb(0)
+def pivots(a: Any) -> Iterator[Any]:
+    """Those of an elimination on the diagonal, in order."""
     for block in diagonal(a):
         rows = block.tolist()
-        for k in range(len(rows)):
-            total += rows[k][k].arg()
-            for row in rows[k + 1 :]:
-                factor = row[k] / rows[k][k]
+        for k, row in enumerate(rows):
+            yield row[k]
+            for low in rows[k + 1 :]:
+                factor = low[k] / row[k]
                 for j in range(k + 1, len(rows)):
-                    row[j] = row[j] - factor * rows[k][j]
-    return total
+                    low[j] = low[j] - factor * row[j]
+
+
+def turn_of(a: Any) -> Any:
+    """Σ Arg of the pivots."""
+    return sum((x.arg() for x in pivots(a)), ZERO)
 
 
 def diagonal(a: Any) -> Iterator[Any]:
@@ -1744,20 +1802,22 @@ def hermitian(F: Form, index: Sequence[Sequence[int]], turns: Sequence[Any]) -> 
 
 
 def definite(H: Sequence[Any], E: Any) -> bool:
-    """Whether H_0 + Σ ε_k H_k + R > 0 is proved for all |ε_k| ≤ 1 and all Hermitian |R| ≤ E entry by entry."""
-    n = E.nrows()
-    if n == 1:
-        first, *others = [a[0, 0].real for a in H]
-        return bool(first - sum((abs(x) for x in others), arb(0)) - E[0, 0] > 0)
-    X = inverse_cholesky([[complex(x) for x in row] for row in H[0].tolist()])
-    if X is None:
+    """Whether H_0 + Σ ε_k H_k + R > 0 is proved for all |ε_k| ≤ 1 and all Hermitian |R| ≤ E entry by entry.
+
+    R ≥ −diag(row sums of E) (Gershgorin); the (ε_k) at which the rest is > 0 are a convex set: corners are enough.
+    """
+    n, (first, *others) = E.nrows(), H
+    for a in others[CORNERS:]:
+        E = E + moduli(a)
+    lost = (E * arb_mat(n, 1, [1] * n)).entries()
+    least = first - acb_mat([[lost[i] if i == j else 0 for j in range(n)] for i in range(n)])
+    ends = [least]
+    for a in others[:CORNERS]:
+        ends = [x for end in ends for x in (end + a, end - a)]
+    try:
+        return all(x.real > 0 for end in ends for x in pivots(end))
+    except Refused:
         return False
-    left = acb_mat(X)
-    right, size = left.conjugate().transpose(), moduli(left)
-    F = moduli(left * H[0] * right - identity(n)) + size * E * size.transpose()
-    for a in H[1:]:
-        F = F + moduli(left * a * right)
-    return contracting(F)
 
 
 @dataclass(repr=False, eq=False)
@@ -1786,7 +1846,7 @@ class Turn:
 
     def sharp(self, a: Any) -> Any:
         """arg det R A at one point of the disc, from A there."""
-        return pivots(self.R * a)
+        return turn_of(self.R * a)
 
     @cached_property
     def det(self) -> Any:
@@ -1824,25 +1884,6 @@ def turned_one(marks: Sequence[Mark], turns: Sequence[Turn], matrix: Callable[[M
             total += known + 2 * arb.pi() * int(whole)
             i = j
     return total
-
-
-def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]] | None:
-    """X with X H X* ≈ 1, in floats, or None: nothing rests on it."""
-    n = len(h)
-    low: list[list[complex]] = []  # conjugates of the rows of Cholesky's factor, left of the diagonal
-    columns: list[list[complex]] = [[] for _ in range(n)]  # of X
-    for i, row in enumerate(h):
-        one: list[complex] = []
-        for j in range(i):
-            one.append((row[j] - sum(map(mul, one, low[j]))) * columns[j][0])
-        x = row[i].real - sum(abs(y) ** 2 for y in one)
-        if not x > 0:
-            return None
-        low.append([y.conjugate() for y in one])
-        for j in range(i):
-            columns[j].append(-sum(map(mul, one[j:], columns[j])) / x**0.5)
-        columns[i].append(1 / x**0.5 + 0j)
-    return [[columns[j][i - j] if j <= i else 0j for j in range(n)] for i in range(n)]
 
 
 # --- the track alone: passive for all real q ≥ X, and decay at infinity -----------------------------------
@@ -2200,7 +2241,7 @@ def closing(walker: Walker, mark: Mark) -> Any:
                 if more > 1:
                     sharper = split_near(waves.near(Place.disc(at_q(mark.q), ZERO)), split.near(sigma))
                     require(split.links(sharper, sigma), "sharper p-roots are not those of the mark")
-                total = pivots(acb_mat(accretive(b, at_q(mark.q), kernels(waves, sharper)[0].k[0])))
+                total = turn_of(acb_mat(accretive(b, at_q(mark.q), kernels(waves, sharper)[0].k[0])))
             except Refused:
                 continue
             if total.is_finite() and total.rad() < 0.1:
@@ -2346,7 +2387,8 @@ def meeting(track: Track) -> list[tuple[Any, int]]:
     moved, squares = track.D.compose(P_, S_ - track.v * P_, ctx=RING), [fmpq(0)] * 13
     for (_, j), c in terms(moved.discriminant("P")).items():
         squares[j // 2] += c * (-1) ** (j // 2)
-    return list(fmpq_poly(squares).complex_roots())
+    found: list[Any] = list(fmpq_poly(squares).complex_roots())
+    return found
 
 
 def check_far(sheet: Sheet, W: Any, rho: Any) -> None:

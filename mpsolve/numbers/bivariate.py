@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from flint import fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
+from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 Rows = list[fmpq_poly]
 
 
 def to_rows(f: fmpq_mpoly) -> Rows:
     """The rows of a polynomial in x and y, the last one not 0."""
-    table: dict[int, dict[int, object]] = {}
+    table: dict[int, dict[int, fmpq]] = {}
     for (i, j), c in f.to_dict().items():
         table.setdefault(int(i), {})[int(j)] = c
     listed = (table.get(i, {}) for i in range(max(table, default=-1) + 1))

@@ -8,6 +8,7 @@ from itertools import pairwise
 from flint import arb, fmpq, fmpq_poly, fmpz_poly
 
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.balls import complex_roots
 from mpsolve.numbers.packed import dyadic
 
 
@@ -64,7 +65,7 @@ def _roots(f: fmpq_poly) -> list[arb]:
     if all(c >= 0 for c in g.coeffs()) or all(c <= 0 for c in g.coeffs()):
         return []
     g = g // g.gcd(g.derivative())
-    roots = (root for root, _ in (g * fmpz_poly([0, 1])).complex_roots())
+    roots = (root for root, _ in complex_roots(g * fmpz_poly([0, 1])))
     real = [arb(root.real) for root in roots if root.imag == 0 and root.real != 0]
     if any(not (ball > 0 or ball < 0) for ball in real):
         raise PrecisionError("real roots are not told apart from 0: this stands against what FLINT promises")

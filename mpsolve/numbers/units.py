@@ -14,10 +14,9 @@ from typing import Any, NoReturn
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.exact import Exact
+from mpsolve.numbers.unit_names import Dimension, unit_of
 from mpsolve.numbers.written import HOW
 
-Dimension = tuple[int, int, int]
-"""Powers of kg, m and s."""
 Factor = tuple[Fraction, Dimension]
 
 _F = Fraction
@@ -207,28 +206,8 @@ def _ratio(text: str, given: str, unit: str, key: str, told: str) -> Fraction:
     return size / own
 
 
-_DERIVED = (
-    ("N", (1, 1, -2)), ("m/s", (0, 1, -1)), ("N/m", (1, 0, -2)), ("N/m²", (1, -1, -2)), ("N m²", (1, 3, -2)),
-    ("N m", (1, 2, -2)), ("N s/m", (1, 0, -1)), ("N s/m²", (1, -1, -1)), ("N s/m³", (1, -2, -1)),
-)  # fmt: skip
 _LAYERS = ("pads", "sleepers", "ballast", "ground")
 """What is known at rail seats, and is given per metre of track."""
-_POWERS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
-
-
-def unit_of(dimension: Dimension) -> str:
-    """The SI unit of a dimension in words that engineers use, "" for a bare number."""
-    named = next((name for name, powers in _DERIVED if powers == dimension), None)
-    if named:
-        return named
-    above = [_power(name, power) for name, power in zip(("kg", "m", "s"), dimension, strict=True) if power > 0]
-    below = [_power(name, -power) for name, power in zip(("kg", "m", "s"), dimension, strict=True) if power < 0]
-    under = f"({' '.join(below)})" if len(below) > 1 else "".join(below)
-    return (" ".join(above) or ("1" if below else "")) + (f"/{under}" if below else "")
-
-
-def _power(name: str, power: int) -> str:
-    return name if power == 1 else name + str(power).translate(_POWERS)
 
 
 def _sum(a: Dimension, b: Dimension, times: int) -> Dimension:

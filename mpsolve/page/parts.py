@@ -12,6 +12,7 @@ import numpy as np
 from mpsolve.batch.frequencies import frequencies
 from mpsolve.batch.result import Frequencies
 from mpsolve.certificate.certify import certify
+from mpsolve.numbers.arrays import Reals
 from mpsolve.outcome import Reason, Status
 from mpsolve.page.budget import Budget, Part
 from mpsolve.page.limits import Reach, distance_margin, distance_path, mass_margin, reach_of, stable_box
@@ -150,12 +151,18 @@ def shape_of(problem: Problem, spectrum: Spectrum) -> Any:
 
 
 def response_of(problem: Problem, spectrum: Spectrum, loads: Any) -> Any:
-    """The motion from the moment at which the vehicle is put on the track, under its weights or the file's loads."""
+    """The motion from the moment at which the vehicle is put on the track, under its weights or the file's loads.
+
+    Its first lift-off is sought here, as it takes time. A spectrum that knows growth alone is no help to a motion.
+    """
     from mpsolve.vibration.response import response
 
     duration = _duration(spectrum)
     times = np.linspace(0.0, duration, 600)
-    return response(problem, loads, places=problem.pencil.places, times=times, spectrum=spectrum)
+    known = None if isinstance(spectrum.region, HalfPlane) else spectrum
+    found = response(problem, loads, places=problem.pencil.places, times=times, spectrum=known)
+    _ = found.lift_off
+    return found
 
 
 def _duration(spectrum: Spectrum) -> float:
@@ -168,7 +175,7 @@ def _duration(spectrum: Spectrum) -> float:
     return min(wanted, 12.0 / fastest) if fastest > 0 else wanted
 
 
-def searched(track: Any) -> Any:
+def searched(track: Any) -> Fraction:
     """The decay up to which lines are followed; 0: growth only."""
     return (lowest_cut(track)[0] or 0) * Fraction(9, 10)
 
@@ -187,7 +194,7 @@ def chart_of(problem: Problem, top: Fraction) -> Frequencies:
     return frequencies(problem, over, roots=False)
 
 
-def velocities(top: Fraction, number: int) -> Any:
+def velocities(top: Fraction, number: int) -> Reals:
     """Velocities from near 0 to the top that are no round numbers, as those may be wave speeds."""
     return float(top) * (np.arange(number) + 0.503) / number
 

@@ -104,6 +104,6 @@ def _squarefree(poly: fmpq_poly) -> bool:
 def _without(poly: fmpq_poly, factor: fmpq_poly) -> tuple[fmpq_poly, int]:
     """`poly` without the factor, and how often it was there."""
     count = 0
-    while poly.degree() > 0 and (poly % factor) == 0:
+    while poly.degree() > 0 and not poly % factor:
         poly, count = poly // factor, count + 1
     return poly, count

@@ -15,27 +15,23 @@ import numpy as np
 from mpsolve.certificate.format import FORMAT, Certificate, digest
 from mpsolve.certificate.spectrum_file import VERSION, basis_entry, dyadic
 from mpsolve.errors import CertificateError
+from mpsolve.numbers.arrays import Integers
 from mpsolve.numbers.balls import arb
 from mpsolve.numbers.several import Several
-from mpsolve.passivity.envelope import Envelope
-from mpsolve.passivity.far import FarNumbers, far_numbers
+from mpsolve.passivity.far import far_numbers
 from mpsolve.problem.family import Family
 from mpsolve.problem.free_equations import FreeEquations, free_equations
 from mpsolve.proof.sheared import SLOPED
 from mpsolve.proof.subdivide import OPEN, Tree
 from mpsolve.ranges.enclosed import Crossing
+from mpsolve.ranges.far_entry import beyond, tail_entry
 from mpsolve.ranges.judge import ABSORBING, ARC, KNOWN, NONZERO, OUTSIDE, PASSIVE
 from mpsolve.ranges.scope import Scope
 
 _MARKS = {NONZERO: "n", PASSIVE: "p", ABSORBING: "g", KNOWN: "z", ARC: "o", OPEN: "o", OUTSIDE: "b"}
 _REGIONS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
 _MOST_CELLS, _MOST_NODES = 512, 20_000  # of a chart: along each parameter; of the tree, a minute or two of a checker
-_RATIO = 1.25  # of one end to the next of the cells between X and where the tail theorem begins
 _ROOM = 4  # by how much balls are wider in the file than they are known
-_POWERS = (0, 1, 2, 3)  # of 2: wavenumbers from which on short waves may be bounded
-_SHARPER = 0.5  # of a bound from a smaller wavenumber on: what makes one worth its proof
-_WORTH = 2**14  # times the bound far out: larger ones tell nothing, and with little damping they are hard to prove
-_OMEGA = 4.0  # where the charts of the envelope meet
 
 
 @dataclass(frozen=True)
@@ -58,7 +54,7 @@ def stable_certificate(scope: Scope, tree: Tree, base: Base) -> Certificate:
     return _certificate("stable", scope, tree, (), (base,), {"unstable": int(base.spectrum.unstable)})
 
 
-def chart_certificate(scope: Scope, tree: Tree, bases: Sequence[Base], cells: Any) -> Certificate:
+def chart_certificate(scope: Scope, tree: Tree, bases: Sequence[Base], cells: Integers) -> Certificate:
     """Of regions over each of which the number of growing roots is that at its base. cells: the number of the region
     of each cell, −1 where nothing is said.
     """
@@ -100,9 +96,9 @@ def _certificate(
         "basis": basis_entry(family.base),
         "range": [[str(a), str(b)] for a, b in family.over.values()],
         "base": entries if chart else entries[0],
-        "tail": _tail(scope, far, Q),
+        "tail": tail_entry(scope, far, Q),
         "X": dyadic(X),
-        "beyond": [dyadic(x) for x in _cells(X, Q)],
+        "beyond": [dyadic(x) for x in beyond(X, Q)],
         "tree": tree_text(tree, family.frequency_unit / family.units[0]),
         "zeros": [_zero(zero, room, family) for zero, room in zeros],
         "claim": dict(claim),
@@ -161,61 +157,6 @@ def _free(c: Several) -> Any:
     return [[*powers, str(value)] for powers, value in terms]
 
 
-def _tail(scope: Scope, far: FarNumbers, Q: Fraction) -> dict[str, Any]:
-    """In the problem's units: p = p̂/L, q = q̂/T, N/D = 2^n N̂/D̂."""
-    family = scope.family
-    guide = family.base.guide
-    L, T = guide.length, guide.time
-    order = guide.g.numerator.bit_length() - guide.g.denominator.bit_length() + L
-    z = Fraction(2) ** _whole(T * far.gamma - L)
-    kappa = Fraction(2) ** _whole(order - T * far.e)
-    envelope, p = Fraction(2) ** (order - L * far.alpha), Fraction(2) ** -L
-    fastest = scope.envelope.fastest
-    bounds = {far.X / fastest * (1 - 2.0**-20): far.constant}
-    bounds |= {p: C for p, C in _bounds(scope.envelope).items() if _WORTH * far.constant > C}
-    return {
-        "Q": dyadic(Q),
-        "gamma": [far.gamma.numerator, far.gamma.denominator],
-        "blocks": [
-            [dyadic(_short(a) * z), dyadic(_short(b) * z), dyadic(_short(k) * kappa)] for a, b, k in far.blocks
-        ],
-        "alpha": far.alpha,
-        "omega": dyadic(Fraction(_OMEGA) * family.frequency_unit),
-        "bounds": [[dyadic(_short(p0) * p), dyadic(_short(C) * envelope)] for p0, C in sorted(bounds.items())],
-    }
-
-
-def _bounds(envelope: Envelope) -> dict[float, float]:
-    """{p₀: C}, from the least p₀ on with which there is one; others where they say more."""
-    out: dict[float, float] = {}
-    for k in _POWERS:
-        C = envelope.constant(k)
-        if np.isfinite(C) and _SHARPER * min(out.values(), default=np.inf) > C:
-            out[2.0**k] = C
-    return {p: C * 1.1 for p, C in out.items()}
-
-
-def _short(x: float) -> Fraction:
-    """With few digits."""
-    return Fraction(float(np.float32(x)))
-
-
-def _whole(x: Fraction) -> int:
-    if x.denominator != 1:
-        raise CertificateError("the scaling of the tail theorem is no power of two")
-    return int(x)
-
-
-def _cells(X: Fraction, Q: Fraction) -> list[Fraction]:
-    """Ends between X and Q."""
-    out = []
-    x = float(X) * _RATIO
-    while x < float(Q) / 1.05:
-        out.append(_short(x))
-        x *= _RATIO
-    return [x for x in out if X < x < Q]
-
-
 def _zero(zero: Crossing, room: tuple[Any, Any], family: Family) -> dict[str, Any]:
     units = (family.frequency_unit, family.units[0])
     sides = [
@@ -235,7 +176,7 @@ def with_room(zero: Crossing) -> Crossing:
     return replace(zero, q=zero.q if zero.q == 0 else _wider(zero.q), x=_wider(zero.x))
 
 
-def _wider(ball: Any) -> Any:
+def _wider(ball: Any) -> arb:
     middle, radius = ball.mid(), ball.rad() * _ROOM
     return arb(middle, radius if radius > 0 else abs(middle) * arb(2) ** -64)
 

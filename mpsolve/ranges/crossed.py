@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 from mpsolve.numbers.packed import Portable
 from mpsolve.ranges.answer import Answer, AtValue
-from mpsolve.ranges.parted import LeftOut
+from mpsolve.ranges.left_out import LeftOut
 
 
 @dataclass(frozen=True)

@@ -24,8 +24,9 @@ from mpsolve.ranges.answer import Interval, Proof, Spent, growing, uncounted, wi
 from mpsolve.ranges.certified import Base, crossings_certificate, with_room
 from mpsolve.ranges.crossed import Crossing, Crossings
 from mpsolve.ranges.enclosed import Crossing as Scaled
+from mpsolve.ranges.left_out import speeds_within
 from mpsolve.ranges.never import never_unstable
-from mpsolve.ranges.parted import COMPLETE, parted, speeds_above, speeds_within
+from mpsolve.ranges.parted import COMPLETE, parted, speeds_above
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
 from mpsolve.ranges.search import Search
 from mpsolve.ranges.undamped import no_damping

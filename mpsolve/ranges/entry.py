@@ -14,8 +14,8 @@ from mpsolve.outcome import Reason
 from mpsolve.problem.over import Over
 from mpsolve.problem.problem import Problem
 from mpsolve.proof.effort import Effort
+from mpsolve.ranges.left_out import not_whole
 from mpsolve.ranges.onset import Kind, Onset, onset
-from mpsolve.ranges.parted import not_whole
 from mpsolve.ranges.unstable import UnstableRanges, unstable_ranges
 
 _GUARD = 5  # digits beyond those that are printed

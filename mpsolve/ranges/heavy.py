@@ -14,6 +14,7 @@ Next to q = 0 boxes are [−b, b] in q, and no root q > 0 is real where Re s and
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
@@ -63,7 +64,7 @@ def require_masses(family: Family, path: str) -> None:
         raise InputError(path, f"{stated}: give an upper end")
 
 
-def _flat(rows: Any) -> list[Several]:
+def _flat(rows: Sequence[Sequence[Several]]) -> list[Several]:
     return [x for row in rows for x in row]
 
 
@@ -81,7 +82,9 @@ def charts(family: Family) -> tuple[FreeMatrix, FreeMatrix]:
     return FreeMatrix(quick, push), FreeMatrix(slow)
 
 
-def _rows(S: Any, M: Any, by: list[Several], mass: Several | None) -> Any:
+def _rows(
+    S: Sequence[Sequence[Several]], M: Sequence[Sequence[Fraction]], by: list[Several], mass: Several | None
+) -> tuple[tuple[Several, ...], ...]:
     return tuple(
         tuple(x * f + (mass * m if mass is not None else 0) for x, m in zip(row, masses, strict=True))
         for row, masses, f in zip(S, M, by, strict=True)

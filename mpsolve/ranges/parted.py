@@ -7,26 +7,26 @@ speed alone is left out where a theorem tells all (`on_string`), and from below 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
-from math import isqrt
 from time import process_time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.balls import rational_ball
-from mpsolve.numbers.packed import Portable
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.family import Interval
 from mpsolve.problem.problem import Problem
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Spent, joined_cost
 from mpsolve.ranges.last_strip import last_strip
+from mpsolve.ranges.left_out import LeftOut, Speed, not_whole, shown, speeds_within
 from mpsolve.ranges.on_string import quiet
-from mpsolve.waves.speeds import wave_speeds
 
-_PLACES = 10**6
+if TYPE_CHECKING:
+    from mpsolve.ranges.crossed import Crossings
+
 _SHARES = tuple(Fraction(1, n) for n in (8, 11, 16, 22, 32, 45, 64))
 """Of the speed: how far from it a part ends; each next strip is proved by itself, as faster waves need more boxes."""
 _BOXES = 20_000  # for a strip
@@ -37,55 +37,7 @@ COMPLETE = "crossings complete up to q"
 Find = Callable[[dict[str, Interval], Effort | None], Any]
 
 
-@dataclass(frozen=True)
-class LeftOut(Portable):
-    """A speed of short waves, a ball, and the ends of what is not proved round it; both are the speed itself where
-    only that is left out. name: of the waves.
-    """
-
-    name: str
-    value: Any
-    start: Any
-    end: Any
-
-    @property
-    def is_point(self) -> bool:
-        """Whether the speed alone is left out."""
-        return bool(self.start.overlaps(self.value) and self.end.overlaps(self.value))
-
-
-def not_whole(left_out: tuple[LeftOut, ...]) -> Reason | None:
-    """Why an answer that leaves out these speeds does not speak of its whole range; None where there are none."""
-    stated = f"nothing is proved of a part of the range: {'; '.join(map(_shown, left_out))}"
-    return Reason("left-out", stated, {}, "give ranges beside that speed") if left_out else None
-
-
-@dataclass(frozen=True)
-class _Speed:
-    """The square of a speed, its name, and rationals below and above it."""
-
-    square: Fraction
-    name: str
-
-    @property
-    def ball(self) -> Any:
-        return rational_ball(self.square).sqrt()
-
-    def beside(self, sign: int) -> Fraction:
-        scaled = isqrt(self.square.numerator * _PLACES**2 // self.square.denominator)
-        return Fraction(scaled + (2 if sign > 0 else -1), _PLACES)
-
-
-def speeds_within(problem: Problem, over: Mapping[str, Interval]) -> list[_Speed]:
-    """The known speeds in a range of v, ascending; none for other paths."""
-    low, high = over.get("v", (Fraction(0), Fraction(0)))
-    if len(over) != 1 or "v" not in over or low < 0:
-        return []
-    each = {square: name for name, square in wave_speeds(problem.track).items() if low**2 <= square <= high**2}
-    return [_Speed(square, each[square]) for square in sorted(each) if square > 0]
-
-
-def speeds_above(problem: Problem, over: Mapping[str, Interval]) -> list[_Speed]:
+def speeds_above(problem: Problem, over: Mapping[str, Interval]) -> list[Speed]:
     """The least known speed a little above a range of v, in which nothing may be provable for it; else none."""
     low, high = over.get("v", (Fraction(0), None))
     if high is None:
@@ -96,7 +48,7 @@ def speeds_above(problem: Problem, over: Mapping[str, Interval]) -> list[_Speed]
 def parted(
     problem: Problem,
     over: Mapping[str, Interval],
-    speeds: list[_Speed],
+    speeds: list[Speed],
     find: Find,
     none: Callable[[dict[str, Interval], str], Any],
     effort: Effort | None,
@@ -104,7 +56,7 @@ def parted(
     """The parts of a range, each answered by `find`, or `none` where a theorem says that nothing grows, as one."""
     started = process_time()
     (low, high) = over["v"]
-    edges: list[_Speed | None] = [None, *speeds, None]
+    edges: list[Speed | None] = [None, *speeds, None]
     parts = []
     for k, (left, right) in enumerate(pairwise(edges)):
         side = -1 if k == 0 else 1 if k == len(speeds) else None
@@ -161,7 +113,7 @@ def _part(
     return (begun, ended if closed is None else None), found
 
 
-def _up_to(problem: Problem, found: Any, speed: _Speed, effort: Effort | None) -> Any:
+def _up_to(problem: Problem, found: Any, speed: Speed, effort: Effort | None) -> Any:
     """An answer with the rest of its range up to the speed, in which nothing crosses; None where that is open."""
     strip = (found.over["v"][1], speed.beside(1))
     budget = Effort(None if effort is None else effort.seconds, _FEW)
@@ -177,7 +129,7 @@ def _up_to(problem: Problem, found: Any, speed: _Speed, effort: Effort | None) -
     return _adjoined(found, more)
 
 
-def _tried(find: Find, strip: Interval, effort: Effort | None) -> Any:
+def _tried(find: Find, strip: Interval, effort: Effort | None) -> Crossings | None:
     seconds = None if effort is None else effort.seconds
     try:
         found = find({"v": strip}, Effort(seconds, _BOXES))
@@ -204,7 +156,7 @@ def _adjoined(one: Any, other: Any) -> Any:
     )
 
 
-def _joined(over: Mapping[str, Interval], speeds: list[_Speed], parts: list[Any], seconds: float) -> Any:
+def _joined(over: Mapping[str, Interval], speeds: list[Speed], parts: list[Any], seconds: float) -> Any:
     known = [part for part in parts if part is not None]
     if not known:
         raise InputError("over", "holds a speed of short waves of the track and nothing else: give a wider range")
@@ -236,22 +188,16 @@ def _joined(over: Mapping[str, Interval], speeds: list[_Speed], parts: list[Any]
         listed = [[*one.over["v"], one.known[COMPLETE]] for one in found if COMPLETE in one.known]
         done |= {COMPLETE: listed} if listed else {}
         return replace(first, status=Status.UNDECIDED, reason=reason, known=done, counts=None, note="", **common)
-    told = f"left out: {'; '.join(map(_shown, left_out))}. " if left_out else ""
+    told = f"left out: {'; '.join(map(shown, left_out))}. " if left_out else ""
     note = f"{told}There is no certificate of the whole"
     counts = tuple(n for one in found for n in one.counts)
     return replace(first, status=Status.UNVERIFIED, reason=None, counts=counts, note=note, **common)
 
 
-def _told(reason: Reason, speeds: list[_Speed]) -> Reason:
+def _told(reason: Reason, speeds: list[Speed]) -> Reason:
     names = ", ".join(f"{one.name} = {float(one.ball):.6g}" for one in speeds)
     return replace(reason, message=f"{reason.message}, in a part of the range beside {names}")
 
 
-def _ball(end: Fraction | None, speed: _Speed) -> Any:
+def _ball(end: Fraction | None, speed: Speed) -> Any:
     return speed.ball if end is None else rational_ball(end)
-
-
-def _shown(one: LeftOut) -> str:
-    if one.is_point:
-        return f"v = {float(one.value):.9g} itself ({one.name})"
-    return f"v from {float(one.start):.9g} to {float(one.end):.9g} ({one.name}: {float(one.value):.9g})"

@@ -45,6 +45,10 @@ class Area:
             & (q.imag < self.im_max + slack)
         )
 
+    def counts(self, q: complex) -> bool:
+        """Whether a root found here is one of those that were counted: one beyond the line, next to it, is not."""
+        return self.im_min <= q.imag <= self.im_max
+
     @property
     def size(self) -> float:
         return max(self.re_max - self.re_min, self.im_max - self.im_min)
@@ -78,7 +82,7 @@ def find_roots(
     def all_found(roots: Any) -> bool:
         if on_the_way is not None:
             on_the_way()
-        return sum(map(weight, roots.tolist())) >= count
+        return sum(weight(q) for q in roots.tolist() if any(area.counts(q) for area in areas)) >= count
 
     few = count <= _FEW
     for level, steps in enumerate(_SHORT if few else (_STEPS,) * len(_SHORT)):

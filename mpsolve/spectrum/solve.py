@@ -85,7 +85,7 @@ def _solve(
     except EffortError as error:
         return Found(count, tuple(so_far), error.reason)
     if signed is None:
-        return Found(count, balls, Reason("sign", "a root's ball meets the real axis", {}, "ask for more digits"))
+        return Found(count, balls, _open_sign(balls))
     return Found(count, signed, None)
 
 
@@ -94,6 +94,12 @@ _SHARPER = (2, 4)
 """Times the digits that were asked for, where a sign of Im q is open."""
 _FEW = 4
 _NEAR = 15 / 16  # of the height of the lowest cut: most vibrations that decay slowly lie below it
+
+
+def _open_sign(balls: tuple[RootBall, ...]) -> Reason:
+    at = next(f"{float(ball.q.real.mid()):.10g}" for ball in balls if _sign(ball) is None)
+    message = f"a root at q = {at} lies on the real axis, or closer to it than its digits tell"
+    return Reason("sign", message, {"re": at}, "ask for a Rectangle with im_max < 0 below it, or for more digits")
 
 
 def unstable_number(balls: tuple[RootBall, ...]) -> int:

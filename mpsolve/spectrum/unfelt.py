@@ -8,7 +8,7 @@ from typing import Any
 
 from flint import acb, fmpz_poly
 
-from mpsolve.numbers.balls import precision
+from mpsolve.numbers.balls import complex_roots, precision
 from mpsolve.tracks.waveguide import Polynomial, determinant
 from mpsolve.vehicles.felt import Parts
 from mpsolve.vehicles.vehicle import Rows
@@ -24,7 +24,7 @@ def unfelt_frequencies(parts: Parts) -> tuple[Any, ...]:
     size = range(len(M))
     found = determinant(tuple(tuple(_entry((K, C, M), i, j) for j in size) for i in size))
     with precision(_BITS):
-        roots = _integers(found).complex_roots()
+        roots = complex_roots(_integers(found))
         turned = [(acb(sigma.imag, -sigma.real), int(times)) for sigma, times in roots]
     return tuple(q for q, times in turned for _ in range(times))
 

@@ -17,6 +17,7 @@ from flint import arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from mpsolve.errors import InputError
 from mpsolve.frozen import frozen
+from mpsolve.numbers.balls import complex_roots
 from mpsolve.numbers.bivariate import Rows, from_rows, to_rows
 from mpsolve.numbers.realroots import as_fmpq, end_of, is_positive, negative_point, positive_roots, samples, sign_at
 from mpsolve.tracks.hurwitz import hurwitz_minors, is_stable
@@ -209,7 +210,7 @@ def _guessed_height(D: Rows) -> Fraction:
 def _rate(D: Rows, y: Fraction) -> Fraction:
     """The largest Re s at y, nearly."""
     line = fmpq_poly([row(as_fmpq(y)) for row in D])
-    return max(end_of(arb(root.real), 0) for root, _ in line.numer().complex_roots())
+    return max(end_of(arb(root.real), 0) for root, _ in complex_roots(line.numer()))
 
 
 def _size(x: fmpq) -> int:

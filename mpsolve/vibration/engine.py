@@ -120,7 +120,7 @@ class Engine:
         held = sum((forced(self.image, tone).amplitude.real for tone in self.held), np.zeros(self.image.channels))
         turns = np.array([1j * one.frequency for one in self.acting])
         last = float(np.max(times, initial=0.0))
-        taken = modes(self.transformed, self.poles.poles, turns, self.poles.cut, last)
+        taken = modes(self.transformed, self.poles.poles, turns, self.poles.floor, last)
         line = sampled_line(self.transformed, path, self._reach(path, times))
         some = _sample(times)
         while True:

@@ -20,6 +20,8 @@ _PRESSED = 1e-9
 """Of the largest static force: a contact with less is pressed by nothing."""
 _SHARP = 1e-13
 _PARTS, _ROUNDS, _ROUGH, _ZOOMS = 16, 12, 6, 3
+_CALM = 0.9
+"""Of the static force: once nothing swings that far any more, no wheel lifts off."""
 _LOW = 0.1
 """Of the largest sample: a dip that comes lower is looked at closely."""
 
@@ -62,6 +64,8 @@ def first_lift_off(solution: Solution, last: float) -> Event | None:
         if falls:
             time, j, off = min(falls)
             return Event(time / image.rate, int(pressed[j] - image.size) + 1, (off + _SHARP * time) / image.rate)
+        if np.all(some.swing(grid[-1]) < _CALM * static[pressed]):
+            break
     return None
 
 

@@ -123,7 +123,7 @@ class _Work:
         balls = [(number(self.mp, root.q), root.multiplicity) for root in spectrum.roots if root.q.real >= 0]
         self.roots = [(self.mp.mpc(0, 1) * q / rate, times) for q, times in balls]
         self.roots = [(z, times) for z, times in self.roots if z.real > poles.floor]
-        self.cut = poles.cut
+        self.cut, self.floor = poles.cut, poles.floor
         self.rule = Rule(self.mp, int(1.6 * digits) + 12)
         self.zero = np.full(image.image.channels, self.mp.mpf(0), object)
 
@@ -195,7 +195,7 @@ class _Work:
         mp = self.mp
         others = [z for z, _ in self.roots] + [mp.mpc(0)] + [mp.mpc(0, w) for w in self.image.frequencies]
         gaps = [abs(middle - z) for other in others for z in (other, mp.conj(other))]
-        room = middle.real - self.cut
+        room = middle.real - (self.floor if middle.real > self.floor else self.cut)
         radius = mp.mpf("0.3") * min([gap for gap in gaps if gap > abs(middle) * mp.mpf(10) ** -self.digits] + [room])
         count = 2 * (self.digits + _GUARD) + 8
         turns = np.array([radius * mp.expjpi(mp.mpf(2 * k + 1) / count) for k in range(count)], object)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -14,6 +15,7 @@ _WIDE = 10.0
 _TOGETHER = 1e-5
 """Relative: poles that are nearer have one circle, as their single residues would cancel."""
 _LEFT = 1e-13
+_LEAST = 1e-6
 
 
 @dataclass(frozen=True)
@@ -35,6 +37,16 @@ class Mode:
             total = total + np.multiply.outer(row, power)
         twice = 2.0 if self.sigma.imag > 0 else 1.0
         return twice * (total * np.exp(self.sigma * times)).real
+
+    def most(self, time: float) -> Any:
+        """By channels, no less than the size of the motion from this time ≥ 0 on; infinite where it grows."""
+        decay, total = -self.sigma.real, 0 * np.abs(self.moments[0])
+        for m, row in enumerate(self.moments):
+            if decay < 0 or (m and decay == 0):
+                return total + np.inf
+            at = max(time, m / decay) if m else time  # t^m e^{σt} falls from m/|Re σ| on
+            total = total + np.abs(row) * at**m / math.factorial(m) * math.exp(-decay * at)
+        return 2 * total
 
     def rate(self, times: Any) -> Any:
         """d/dt of it."""
@@ -75,7 +87,7 @@ def modes(
     """The residues of `image`, (len(σ), channels), at the poles, for times up to `last`.
 
     others: further poles, on the axis; floor: the image is analytic in Re σ > floor but for poles and others, and
-    round a pole with a room as far as that.
+    round a pole with a room as far as that. Other roots are at least _LEAST of |σ| away from a pole.
     """
     groups = clustered(poles)
     if not groups:
@@ -85,7 +97,8 @@ def modes(
     known = np.concatenate([middles, middles.conj(), np.asarray(others, complex), np.conj(others)])
     apart = np.abs(middles[:, None] - known)
     apart[apart <= 1e-13 * np.abs(middles)[:, None]] = np.inf
-    rooms = [pole.sigma.real - floor if pole.room is None else pole.room for pole in groups]
+    free = [pole.sigma.real - floor if pole.room is None else pole.room for pole in groups]
+    rooms = np.maximum(free, _LEAST * np.abs(middles))
     radius = _SHARE * np.minimum(apart.min(1), rooms)
     radius = np.where(spreads > 0, np.minimum(radius, np.maximum(_WIDE * spreads, 1e-2 * radius)), radius)
     turn = np.exp(2j * np.pi * (np.arange(_POINTS) + 0.5) / _POINTS)

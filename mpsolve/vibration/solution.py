@@ -67,6 +67,18 @@ class Solution:
         """The motion without what is held, (channels, times); at times < 0 it is 0 but for errors."""
         return sum((one.motion(times) for one in self.right), self.line.motion(times))
 
+    def swing(self, time: float) -> Any:
+        """By channels: the motion is no further from what constant loads keep up, at this time t̂ > 0 and ever after.
+
+        Infinite where that is not seen from sizes alone.
+        """
+        line = self.line
+        if not line.path.below:
+            return np.full(len(line.left_open), np.inf)
+        rest = line.panels.integral() * np.exp(line.path.alpha * time) / np.pi
+        waves = sum((np.abs(one.amplitude) for one in self.steady if one.frequency), rest)
+        return sum((mode.most(time) for mode in line.path.parted(self.modes)[0]), waves)
+
     def only(self, channels: Any) -> Solution:
         """Some of the channels, of which `moved` then tells."""
         return replace(

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from flint import fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
+from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.bivariate import Rows, from_rows, to_rows
@@ -68,7 +68,7 @@ def line(guide: Waveguide, omega: Fraction) -> Line:
 
 def _relation(guide: Waveguide, squared: bool) -> fmpq_mpoly:
     """F(p, Ω), or over y = p² and z = Ω²."""
-    terms = {}
+    terms: dict[tuple[int, ...], fmpq] = {}
     for (i, j), c in guide.dispersion.items():
         if i % 2 or j % 2:
             raise InputError("track", "differs from its mirror image: give one that is the same in both directions")

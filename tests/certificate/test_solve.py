@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 import pytest
 from oracle_general.package import as_problem
@@ -14,8 +15,8 @@ from mpsolve.errors import InputError
 from mpsolve.outcome import Status
 from mpsolve.problem.problem import Problem
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle
-from mpsolve.tracks import EulerBernoulli, String
-from mpsolve.vehicles import Mass, Vehicle
+from mpsolve.tracks import EulerBernoulli, String, Timoshenko, TwoLayer
+from mpsolve.vehicles import Bogie, Coach, Mass, Oscillator, Vehicle
 
 WIRE = Problem(String(T=27_000, m="1.07", k=500, c=2), [Mass("8.5")], v=100)
 
@@ -68,3 +69,51 @@ def test_p_roots_that_nearly_meet_on_the_line(seed: int) -> None:
     row = next(row for row in table if row.get("seed") == seed)
     found = certify_problem(as_problem(row), region="unstable")
     assert (found.status, found.count) == (Status.PROVED, row["count"])
+
+
+SOFT = Vehicle(M=[["8.08"]], C=[["0.568"]], K=[[0]], B=[[1]], places=[0], k_contact="0.316")
+ALL_BEHIND = [
+    (Timoshenko(EI=1, m=1, S="2.21", J="1.76", c="0.0584"), [Mass(3).at(0), Mass(2).at(1)], "2.47"),
+    (String(T=1, m=1, k="0.108", c="0.205"), [Mass("0.602").at(0), Mass("0.556").at("0.0545"), SOFT.at(1)], "1.66"),
+]
+
+
+@pytest.mark.parametrize("problem", ALL_BEHIND)
+def test_all_p_roots_of_one_side_are_followed_where_real_ones_become_complex(
+    problem: tuple[Any, list[Any], str],
+) -> None:
+    """No wave reaches a place ahead, so Δ̂ is a product of the vehicles': masses have no root, the soft one decays.
+
+    All p-roots are of L, and any nodes are nodes of it; without stiffness one is 0 at q = 0.
+    """
+    found = certify_problem(Problem(*problem), region="unstable", digits=15)
+    assert (found.status, found.count) == (Status.PROVED, 0)
+
+
+def test_a_root_next_to_the_line_is_not_taken_for_one_that_was_counted() -> None:
+    """One at Im q = 5e-9 beside 13 that grow, one of them on the imaginary axis; a float contour counts 13 too."""
+    track = TwoLayer(EI=1, m=1, k_pad="2.25", c_pad="0.303", m_sleeper="0.32", k_ballast="2.67", c_ballast="0.096")
+    bogie = Bogie(wheel="65.2", frame="11.5", inertia="71.2", wheelbase="1.13", k="16.2", k_contact="12.4")
+    coach = Coach(body="39.4", inertia="0.31", bogie=bogie, pivots="5.87", k2="0.471")
+    spring = Vehicle(M=[[0]], C=[[0]], K=[["0.289"]], B=[[-1, -1]], places=[0, "0.643"])
+    damper = Vehicle(M=[[0]], C=[["6.16"]], K=[["5.28"]], B=[[1]], places=[0])
+    problem = Problem(track, [spring, coach.at("2.59"), damper.at("2.73")], v="5.41")
+    found = certify_problem(problem, region="unstable", digits=15, check=False)
+    assert (found.status, found.unstable) == (Status.UNVERIFIED, 13)
+
+
+def test_a_root_on_the_real_axis_is_named_and_left_out_by_the_rectangle_that_is_advised() -> None:
+    """Faster than its waves the wire does not feel one vehicle: k_contact and k alone tell its two frequencies.
+
+    Wheel 2 and body 3 on springs of 5 and 4: 6 q⁴ − 35 q² + 20 = 0, by hand.
+    """
+    problem = Problem(
+        String(T=1, m=1, k="0.543", c="0.0134"), Oscillator(wheel=2, body=3, k=4, k_contact=5), v="1.42"
+    )
+    found = certify_problem(problem, digits=15)
+    assert found.reason is not None
+    assert (found.reason.code, found.count) == ("sign", 4)
+    q = abs(float(found.reason.numbers["re"]))
+    assert abs(6 * q**4 - 35 * q**2 + 20) < 1e-6
+    below = certify_problem(problem, region=Rectangle(-5, 5, -1, "-0.001"), digits=15)
+    assert (below.status, below.count) == (Status.PROVED, 0)

@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import quantities
-from mpsolve.numbers.units import factor, in_unit, measured, split, unit_of
+from mpsolve.numbers.unit_names import unit_of
+from mpsolve.numbers.units import factor, in_unit, measured, split
 from mpsolve.tracks import CATALOGUE
 from mpsolve.vehicles import CATALOGUE as VEHICLES
 

@@ -14,8 +14,8 @@ from mpsolve.problem.family import Family, family_of
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.vanishing import nonzero, scalar
 from mpsolve.ranges.last_strip import LastMatrix, last_strip
+from mpsolve.ranges.left_out import speeds_within
 from mpsolve.ranges.on_string import passive_beyond
-from mpsolve.ranges.parted import speeds_within
 
 PLACES = (0, 2, 5)
 

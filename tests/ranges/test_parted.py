@@ -16,8 +16,9 @@ from mpsolve.outcome import Reason, Status
 from mpsolve.ranges import parted as module
 from mpsolve.ranges.crossed import Crossings
 from mpsolve.ranges.crossings import crossings
+from mpsolve.ranges.left_out import speeds_within
 from mpsolve.ranges.onset import Kind, Onset, _read, onset
-from mpsolve.ranges.parted import parted, speeds_above, speeds_within
+from mpsolve.ranges.parted import parted, speeds_above
 from mpsolve.ranges.unstable import shared, unstable_ranges
 
 WIRE = tracks.String(T=27000, m="1.07", k=500, c=2)

@@ -81,6 +81,11 @@ def test_a_lift_off_before_the_first_time_asked_for() -> None:
     assert response(problem, times=[0.31]).lift_off is None
 
 
+def test_a_long_time_is_not_searched_once_all_is_calm() -> None:
+    """200 s are two million steps of its fastest vibration."""
+    assert response(Problem(DAMPED["two-layer"], TYPICAL["bogie"], v=20), times=[0, 200]).lift_off is None
+
+
 def test_a_load_that_pulls_at_once_lifts_at_once() -> None:
     event = response(WHEEL, [Load(1000, -3000, 1, "1.5")], times=[4, 8]).lift_off
     assert event is not None

@@ -8,7 +8,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from mpsolve.vibration.residues import Pole, clustered, modes
+from mpsolve.vibration.residues import Mode, Pole, clustered, modes
 
 
 def _image(a: complex, b: complex) -> object:
@@ -60,3 +60,15 @@ def test_what_is_apart_stays_apart() -> None:
     poles = [Pole(-0.1 + 1j), Pole(-0.1 + 1.000001j), Pole(-0.2 + 1j, 3)]
     assert [pole.multiplicity for pole in clustered(poles)] == [3, 2]
     assert clustered(poles)[1].sigma == pytest.approx(-0.1 + 1.0000005j)
+
+
+@pytest.mark.parametrize("terms", [1, 2, 3])
+def test_no_later_motion_is_larger_than_told(terms: int) -> None:
+    moments = np.arange(1.0, terms + 1)[:, None] * np.array([[1.0, -2.0 + 1j]])
+    mode, later = Mode(-0.2 + 3j, terms, moments), np.linspace(0, 60, 4001)
+    for time in (0.0, 4.0, 20.0):
+        size = np.abs(mode.motion(later[later >= time])).max(1)
+        assert (size <= mode.most(time)).all()
+        assert (mode.most(time) < 4 * terms * size).all()
+    assert np.isinf(Mode(0.1 + 3j, 1, moments).most(1.0)).all()
+    assert np.isinf(Mode(3j, 2, moments).most(1.0)).all() == (terms > 1)

@@ -160,7 +160,9 @@ def proved_parts(
         line = above_growth(growth, max(_LATE, *(float(t) for t in at)))
         if not line.alpha > floor:
             raise PrecisionError("not all roots above the path are certified: certify a larger region")
-        return Work(balls, poles, line, at, (asked.digits, lost), work, said).parts(_sizes(balls))
+        return Work(balls, poles, line, at, (asked.digits, lost), work, said, _alone(asked.image, found)).parts(
+            _sizes(balls)
+        )
 
 
 def _lost(asked: Asked, spectrum: Spectrum) -> float:
@@ -194,6 +196,17 @@ def _poles(image: Image, spectrum: Spectrum) -> tuple[list[Any], float]:
     qs = [root.q for root in spectrum.roots] + list(unfelt_frequencies(reduced.parts))
     qs += [acb(0)] * bool(reduced.neutral)
     return [acb(0, 1) * q / rational_ball(Fraction(image.rate)) for q in qs], certified(image, spectrum).floor
+
+
+def _alone(image: Image, spectrum: Spectrum) -> Callable[[complex], float]:
+    """How far round a σ̂ all roots are certified: as far as the region of the spectrum reaches."""
+    region = spectrum.region
+    if isinstance(region, Sheet):
+        return lambda _: inf
+    height, reach = 0.0, inf
+    if isinstance(region, Below):
+        height, reach = float(region.height) / image.rate, float(region.reach or 0) / image.rate
+    return lambda z: min(z.real + height, max(reach - abs(z.imag), z.real))
 
 
 def _sizes(balls: BallImage) -> list[float]:

@@ -30,7 +30,8 @@ turns too often, or needs too many panels between the echoes of the contacts."""
 class Work:
     """A motion at the times `at` ≥ 0 to so many digits, and the number of those that its parts lose.
 
-    poles: balls of all roots of the problem that may lie to the right of the path's line, and of others.
+    poles: balls of all roots of the problem that may lie to the right of the path's line, and of others. alone: how
+    far round a σ̂ there is no root that is not among them.
     """
 
     def __init__(
@@ -42,8 +43,9 @@ class Work:
         digits: tuple[int, int],
         effort: Effort,
         said: Progress,
+        alone: Callable[[complex], float],
     ) -> None:
-        self.image, self.line, self.at = image, line, at
+        self.image, self.line, self.at, self.alone = image, line, at, alone
         self.digits, self.lost = digits
         self.late = [t for t in at if t > 0]
         self.effort, self.said = effort, said
@@ -160,7 +162,9 @@ class Work:
             others = [z for z in self.poles if z is not root] + self.loaded
             middle = complex(root.mid())
             clear = middle.real - lowest(self.image.image)
-            clear = clear if clear > 0 else room(self.image.image, middle)
+            clear = min(clear if clear > 0 else room(self.image.image, middle), self.alone(middle))
+            if not clear > 0:
+                raise PrecisionError("roots beside one of these are not known: certify a larger region")
             radius = radius_round(root, others, clear, last)
             bits = ceil((self.digits + self.lost + 3) * log(10) / log(2))
             rows = residues(self.image, root, others, radius, self.at, bits, self.effort)

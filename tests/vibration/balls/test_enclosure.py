@@ -1,9 +1,12 @@
+import math
+
 import numpy as np
 import pytest
 
 from mpsolve import Effort, Irregularity, Load, Problem, Status, certify, response, tracks, vehicles
 from mpsolve.errors import InputError
-from mpsolve.vibration.balls.enclosure import response_balls
+from mpsolve.vibration.balls.enclosure import _alone, response_balls
+from mpsolve.vibration.image import Image
 
 BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")
 ONE = Problem(BEAM, vehicles.Mass(20), v="0.5")
@@ -92,6 +95,32 @@ def test_spent_effort_leaves_nothing_known():
     assert found.status is Status.UNDECIDED
     assert found.reason.code == "effort"
     assert not found.rail[0, 0].is_finite()
+
+
+def test_roots_that_were_not_certified_are_kept_out_of_the_circles_round_others():
+    """A body that decays (Im q = 0.0042) shares its frequency with the wheel, which grows (−0.0004).
+
+    Known are residues of û, from the determinant in float64 on circles of radius 0.001 that hold one root alone.
+    """
+    tuned = vehicles.Oscillator(wheel=20, body="0.02", k="0.00145", c="0.0002")
+    problem = Problem(BEAM, tuned, v="1.154")
+    spectrum = certify(problem, region="unstable", digits=40, check=False)
+    found = response_balls(problem, times=["4", "9"], digits=5, spectrum=spectrum)
+    plain = response(problem, times=[4.0, 9.0], spectrum=spectrum)
+    for part in (found.harmonic[0], plain.harmonic[0]):
+        assert [float(x) for x in part] == pytest.approx([86.65035604, 76.02623938], abs=1e-6)
+
+
+def test_how_far_round_a_place_all_roots_are_known():
+    found = certify(ONE, region=("below", "0.04"), digits=20, check=False)
+    image = Image(ONE, ())
+    reach = float(found.region.reach) / image.rate
+    alone = _alone(image, found)
+    assert alone(0.3 + 0.2j) == pytest.approx(0.3 + 0.04 / image.rate)
+    assert alone(0.01 + 1j * (reach - 0.001)) == pytest.approx(0.01)  # beyond the reach only what grows is known
+    assert alone(-0.01 + 1j * (reach + 0.001)) < 0
+    assert _alone(image, certify(ONE, region="unstable", digits=20, check=False))(0.3 + 0.2j) == 0.3
+    assert _alone(image, certify(ONE, region="sheet", digits=20, check=False))(-5 + 0.2j) == math.inf
 
 
 STRING = tracks.String(T=2, m=1, k=1, c="0.2")
