@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import arb
 
 from mpsolve.numbers.packed import Portable
 from mpsolve.numbers.result import Cost, Result
 from mpsolve.outcome import Reason, Status
+
+if TYPE_CHECKING:
+    from mpsolve.certificate.format import Certificate
 
 
 @dataclass(frozen=True)
@@ -47,7 +50,7 @@ class Zeros(Result):
     note: str = ""
     assumed: tuple[str, ...] = ()
     known: Mapping[str, Any] = field(default_factory=dict)
-    certificate: Any = field(default=None, repr=False)
+    certificate: Certificate | None = field(default=None, repr=False)
     verified: str = ""
     cost: Cost = field(default_factory=lambda: Cost(0.0))
 

@@ -118,7 +118,7 @@ class Program:
         raise InputError("f", f"has {name}, which is not known: the functions are {', '.join(NAMES)}")
 
 
-def _order(order: Any) -> int:
+def _order(order: int) -> int:
     if isinstance(order, int) and not isinstance(order, bool) and abs(order) <= 1000:
         return order
     raise InputError("f", f"has a Bessel function of the order {order!r}: give a whole number up to 1000")
