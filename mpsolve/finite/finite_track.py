@@ -17,6 +17,7 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
 from mpsolve.vibration.forcing import Irregularity
 from mpsolve.vibration.liftoff import Event
+from mpsolve.vibration.rows import Rows
 
 if TYPE_CHECKING:
     from mpsolve.numbers.arrays import Reals
@@ -51,7 +52,7 @@ class FiniteTrackError:
 
 
 @dataclass(frozen=True)
-class FiniteTrackMotion:
+class FiniteTrackMotion(Rows):
     """Float64 results on a finite track, not proved, in the units of the problem.
 
     times (t,). rail (p, t): deflections under the `places` of the moving frame. vehicle: for each coordinate by name
@@ -72,6 +73,11 @@ class FiniteTrackMotion:
     steps: int
     lift_off: Event | None = None
     reason: Reason | None = None
+
+    @property
+    def rail_error(self) -> float:
+        """The sum of the estimated errors of the rail."""
+        return self.error.total
 
 
 def finite_track(

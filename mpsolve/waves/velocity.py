@@ -76,10 +76,10 @@ class CriticalVelocities(Result):
     def sentence(self) -> str:
         """What is proved about the whole range."""
         whole = f"{float(self.lower):g} ≤ v ≤ {float(self.upper):g}"
-        rest = "no two p-roots of the undamped track meet on the real axis, and for v > 0 none runs to infinity"
+        rest = "no two real wavenumbers of the undamped track merge, and for v > 0 none runs to infinity"
         rest += ", but for what holds always" if self.always else ""
         if not self.undecided:
-            return f"proved, without certificate: the list is complete for {whole}; at every other v there {rest}"
+            return f"proved, without certificate: the list is complete for {whole}; at every other v {rest}"
         where = ", ".join(proved_digits(ball, 8) for ball in self.undecided)
         return f"undecided at v = {where}; at every other v in {whole} that is not listed {rest}"
 
