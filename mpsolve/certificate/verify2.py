@@ -22,17 +22,17 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache, partial
 from itertools import combinations, pairwise, product
 from math import comb, prod
-from operator import lt, mul
+from operator import lt
 from typing import Any
 
 import flint
 from flint import acb, acb_mat, acb_poly, arb, arb_mat, fmpq, fmpq_mat, fmpq_mpoly_ctx, fmpq_poly
 
 MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 20_000, 1e9, 1_000, 20_000
-ARCS = 24
+ARCS, MAX_REST = 24, 400
 MAX_ROWS, MAX_BODIES, MAX_CONTACTS, MAX_DEGREE, MAX_BITS, MAX_MULTIPLICITY = 5, 192, 64, 24, 70_000, 8
 MAX_TERMS, MAX_SIZE, BOXES = 120, 20_000, 20_000  # with free parameters: of a track, a polynomial; parts of a range
-SMALL = 8  # matrices up to this size are eliminated entry by entry
+SMALL, CORNERS = 8, 3  # matrices up to this size are eliminated entry by entry; exact in so many variables
 RING = fmpq_mpoly_ctx.get(("P", "s"), "lex")
 P_, S_ = RING.gens()
 
@@ -709,10 +709,10 @@ class Form:
     order. e: a list. m: the number of variables; 0 for numbers, which are balls without a rest.
     """
 
-    def __init__(self, k: Rows, e: list[Any], m: int) -> None:
+    def __init__(self, k: Rows, e: list[Any], m: int, known: dict[int, list[Any]] | None = None) -> None:
         self.k, self.e, self.m = k, e, m
         self.second = pairs(m) if len(k) > 1 + m else ()  # the coefficients of second order
-        self.known: dict[int, list[Any]] = {}
+        self.known = known or {}  # bounds, see `sizes`
 
     def sizes(self, order: int) -> list[Any]:
         """Bounds of the constants, of the linear, of the quadratic parts: order 0, 1, 2; of all, and the rest: 3."""
@@ -743,21 +743,25 @@ class Form:
         return Form(k, [x + y for x, y in zip(self.e, other.e, strict=True)], self.m)
 
     def __neg__(self) -> Form:
-        return Form([[-x for x in row] for row in self.k], self.e, self.m)
+        return Form([[-x for x in row] for row in self.k], self.e, self.m, self.known)
 
     def scaled(self, c: Sequence[Any]) -> Form:
         """Times numbers."""
+        size = [abs(y) for y in c]
         k = [[x * y for x, y in zip(row, c, strict=True)] for row in self.k]
-        return Form(k, [x * abs(y) for x, y in zip(self.e, c, strict=True)], self.m)
+        e, *known = [[x * y for x, y in zip(row, size, strict=True)] for row in (self.e, *self.known.values())]
+        return Form(k, e, self.m, dict(zip(self.known, known, strict=True)))
 
     def plus(self, c: Sequence[Any]) -> Form:
-        return Form([[x + y for x, y in zip(self.k[0], c, strict=True)], *self.k[1:]], self.e, self.m)
+        known = {order: row for order, row in self.known.items() if order in (1, 2)}
+        return Form([[x + y for x, y in zip(self.k[0], c, strict=True)], *self.k[1:]], self.e, self.m, known)
 
     def rested(self, more: Sequence[Any]) -> Form:
         """The same with more in the rest, or in the numbers where nothing varies."""
         if not self.m:
             return self.plus([box(x) for x in more])
-        return Form(self.k, [x + y for x, y in zip(self.e, more, strict=True)], self.m)
+        known = {order: row for order, row in self.known.items() if order < 3}
+        return Form(self.k, [x + y for x, y in zip(self.e, more, strict=True)], self.m, known)
 
     def take(self, which: Sequence[int]) -> Form:
         """The functions of these numbers."""
@@ -767,9 +771,8 @@ class Form:
         return self.picked(lambda row: row[start:end])
 
     def picked(self, some: Callable[[list[Any]], list[Any]]) -> Form:
-        out = Form([some(row) for row in self.k], some(self.e), self.m)
-        out.known = {order: some(row) for order, row in self.known.items()}
-        return out
+        known = {order: some(row) for order, row in self.known.items()}
+        return Form([some(row) for row in self.k], some(self.e), self.m, known)
 
     def __mul__(self, other: Form) -> Form:
         """One by one."""
@@ -791,7 +794,7 @@ class Form:
         # |f g'| and |f' g| with all of f', g' but one rest, which is counted once
         rows = zip(beyond, self.size, self.e, other.size, other.e, strict=True)
         e = [w + q * f + (p - f) * g for w, p, f, q, g in rows]
-        return Form(k, e, self.m)
+        return Form(k, e, self.m, {0: [x * y for x, y in zip(self.sizes(0), other.sizes(0), strict=True)]})
 
     def inverse(self) -> Form:
         """1/f = (1 − w + w² − …)/k_0 with f = k_0 (1 + w), |w| ≤ y < 1: the rest of the series is y^n/(1 − y)."""
@@ -804,19 +807,19 @@ class Form:
         for n, i, j in second:
             twice = 1 if i == j else 2
             k.append([(p * q * twice - x) * y for p, q, x, y in zip(w[i], w[j], w[n], c, strict=True)])
-        e = []
-        for x, p, q, f in zip(c, self.sizes(1), self.sizes(2), self.e, strict=True):
-            size = abs(x)
+        e, sizes = [], [abs(x) for x in c]
+        for size, p, q, f in zip(sizes, self.sizes(1), self.sizes(2), self.e, strict=True):
             p, q, f = p * size, q * size, f * size
             y = p + q + f
             require(y < 0.95, "a quantity may be infinite")
             e.append(size * (f + ((q + f) * (p + y) + y**3 / (1 - y) if second else y * y / (1 - y))))
-        return Form(k, e, self.m)
+        return Form(k, e, self.m, {0: sizes})
 
     def exp(self) -> Form:
         """e^f = e^{k_0}(1 + w + …): what is left out of its series is that of e^y, |w| ≤ y; but where y is large
         |e^f| ≤ e^{Re k_0 + y} says more."""
         value, second, e = [x.exp() for x in self.k[0]], self.second, []
+        sizes = [abs(x) for x in value]
         if not self.m:
             return Form([value], self.e, 0)
         k = [value] + [[x * y for x, y in zip(row, value, strict=True)] for row in self.k[1 : 1 + self.m]]
@@ -830,12 +833,13 @@ class Form:
             if y < 2:
                 left = y.expm1() - y
                 left = left - y * y / 2 + (q + f) * (p + y) / 2 if second else left
-                e.append(abs(value[n]) * (f + left))
+                e.append(sizes[n] * (f + left))
             else:
-                e.append((self.k[0][n].real + y).exp())
+                e.append(sizes[n] * y.exp())
+                sizes[n] = ZERO
                 for row in k:
                     row[n] = NONE
-        return Form(k, e, self.m)
+        return Form(k, e, self.m, {0: sizes})
 
 
 ZERO, NONE = arb(0), acb(0)
@@ -981,6 +985,13 @@ class Place:
         return self.form(self.taylor(polynomials))
 
 
+def horner(row: Sequence[Any], x: Any) -> Any:
+    total = row[-1]
+    for c in row[-2::-1]:
+        total = total * x + c
+    return total
+
+
 def powers(x: Any, n: int) -> list[Any]:
     """x^0 … x^n."""
     out = [acb(1)]
@@ -1023,14 +1034,23 @@ class Local:
 
     def about(self, z: Sequence[Any], table: Any) -> tuple[list[Form], list[list[Any]]]:
         """Of E_i in Σ f_j (z + h)^j = Σ E_i h^i, for each z: the first ones, and bounds of all from E_2 on."""
-        size, width = table.nrows(), table.ncols()
-        rows = table.tolist()
-        steps = [[comb(i + j, i) * x for i in range(size - j) for x in rows[i + j]] for j in range(size)]
-        filled = [[*row, *[NONE] * (width * j)] for j, row in enumerate(steps)]
-        E = (acb_mat([powers(x, size - 1) for x in z]) * acb_mat(filled)).tolist()
-        columns = [list(x) for x in zip(*E, strict=True)]
-        forms = [self.place.of_columns(columns[i * width : (i + 1) * width]) for i in range(size)]
-        return forms[: self.place.order + 2], [*([] for _ in forms[:2]), *(f.size for f in forms[2:])]
+        n, width, m, columns = len(z), self.place.width, self.place.m, table.transpose().tolist()
+        for column in columns:
+            while column and column[-1].is_zero():
+                column.pop()
+        forms, bounds = [], list[list[Any]]()
+        for i in range(table.nrows()):
+            k, sizes = [], []
+            for number, column in enumerate(columns):
+                c = [comb(j, i) * x for j, x in enumerate(column[i:], i)] if i else column
+                row = [horner(c, x) for x in z] if len(c) > 1 else (c or [NONE]) * n
+                k.append(row)
+                if number >= width or i > 1:
+                    sizes.append([x.abs_upper() for x in row] if len(c) > 1 else [row[0].abs_upper()] * n)
+            bounds.append(sums(sizes, n) if i > 1 else [])
+            known = {0: sizes[0], 1: sums(sizes[1 : 1 + m], n)} if i > 1 else {}
+            forms.append(Form(k[:width], sums(sizes[len(sizes) - len(columns) + width :], n), m, known))
+        return forms[: self.place.order + 2], bounds
 
 
 class Waves:
@@ -1077,8 +1097,8 @@ class Nodes:
             else:
                 inverse[i, k] = inverse[k, i] = 1 / size
         self.inverse = inverse
-        self.table = acb_mat([powers(x, n) for x in z]) * local.D
-        self.values = local.place.form(self.table)
+        self.rows = (acb_mat([powers(x, n) for x in z]) * local.D).tolist()
+        self.values = local.place.of_columns([list(x) for x in zip(*self.rows, strict=True)])
 
     @property
     def least(self) -> Any:
@@ -1153,16 +1173,24 @@ class Split:
     def pair(self, sigma: Any) -> list[Any]:
         """The a_k at a σ of the disc, in balls: W_k/(1 + x), |x| ≤ Σ τ_l/|z_k − z_l|."""
         nodes, place = self.nodes, self.nodes.local.place
-        u = powers((sigma - place.middle[0]) / place.half[0] if place.m else ZERO, nodes.table.ncols() - 1)
-        column, low = acb_mat(len(u), 1, u), nodes.local.D.nrows() - 1
-        lead = sum((nodes.local.D[low, j] * x for j, x in enumerate(u)), NONE)
-        s = (nodes.inverse * arb_mat(len(self.tight), 1, self.tight)).entries()
-        values = zip((nodes.table * column).entries(), nodes.all, s, strict=True)
-        return [d / (lead * size) * (1 + box(x / (1 - x))) for d, size, x in values]
+        u = (sigma - place.middle[0]) / place.half[0] if place.m else ZERO
+        lead, *values = (horner(row, u) for row in (nodes.local.D.tolist()[-1], *nodes.rows))
+        return [d / (lead * size) * x for d, size, x in zip(values, nodes.all, self.spread, strict=True)]
+
+    @cached_property
+    def spread(self) -> list[Any]:
+        """Balls of 1/(1 + x), |x| ≤ Σ τ_l/|z_k − z_l|."""
+        s = (self.nodes.inverse * arb_mat(len(self.tight), 1, self.tight)).entries()
+        return [1 + box(x / (1 - x)) for x in s]
 
     def near(self, sigma: Any) -> Known:
         """Near the p-roots at a σ of the disc, or next to it."""
-        return [(z - a).mid() for z, a in zip(self.nodes.z, self.pair(sigma), strict=True)], self.nodes.up
+        nodes, place = self.nodes, self.nodes.local.place
+        moved, lead = nodes.values.k[0], nodes.local.D[nodes.local.degree, 0]
+        if place.m:
+            u = (sigma - place.middle[0]) / place.half[0]
+            moved = [x + y * u for x, y in zip(moved, nodes.values.k[1], strict=True)]
+        return [(z - x / (lead * y)).mid() for z, x, y in zip(nodes.z, moved, nodes.all, strict=True)], nodes.up
 
     def links(self, other: Split, sigma: Any) -> bool:
         """Whether the pair of another splitting is the one here, at a σ of both: |U(z_k)/U₀'(z_k)| < box_k."""
@@ -1209,21 +1237,49 @@ def nodes_near(local: Local, known: Known | None = None) -> Nodes:
 
 def split_near(local: Local, known: Known) -> Split:
     """The pair over a place, or Refused: from nodes that go on from known ones, or next to them."""
-    D = acb_poly([local.D[i, 0].mid() for i in range(local.degree + 1)])
-    z: list[acb] = known[0]
-    slope = D.derivative()
-    near = max(abs(x).upper() for x in z) * arb(2) ** (-flint.ctx.prec // 4)
-    for k in range(flint.ctx.prec.bit_length() + 4):  # by Newton's method: nothing rests on it
-        step = [(D(x) / slope(x)).mid() for x in z]
-        z = [(x - y).mid() for x, y in zip(z, step, strict=True)]
-        if k > 1 and all(abs(y) < near for y in step):  # the next one is about as its square
-            break
-    else:  # real numbers find no complex roots, and where all are of one side any nodes would do for the pair
+    z = newton([local.D[i, 0].mid() for i in range(local.degree + 1)], known[0])
+    if z is None:  # real numbers find no complex roots, and where all are of one side any nodes would do for the pair
         return nodes_near(local, known).split()
     try:
         return Nodes(z, known[1], local).split()
     except Refused:
         return nodes_near(local, known).split()
+
+
+def newton(D: Sequence[acb], z: Sequence[acb]) -> list[acb] | None:
+    """Nearer to the roots of Σ D_i P^i, by Newton's method, in floats where they do: nothing rests on it.
+
+    None where it does not settle.
+    """
+    if flint.ctx.prec <= 64:
+        try:
+            c = [complex(x) for x in reversed(D)]
+            first = [complex(x) for x in z]
+            near = [in_floats(c, x, 1e-9 * max(map(abs, first))) for x in first]
+            return [acb(x) for x in near if x is not None] if None not in near else None
+        except (OverflowError, ZeroDivisionError):
+            pass
+    p = acb_poly(D)
+    slope, small = p.derivative(), max(abs(x).upper() for x in z) * arb(2) ** (-flint.ctx.prec // 4)
+    for _ in range(flint.ctx.prec.bit_length() + 4):
+        step = [(p(x) / slope(x)).mid() for x in z]
+        z = [(x - y).mid() for x, y in zip(z, step, strict=True)]
+        if all(abs(y) < small for y in step):  # the next one is about as its square
+            return list(z)
+    return None
+
+
+def in_floats(c: Sequence[complex], z: complex, small: float) -> complex | None:
+    """A root of the polynomial with these coefficients, the highest first, near z."""
+    for _ in range(12):
+        value, slope = c[0], 0j
+        for x in c[1:]:
+            value, slope = value * z + x, slope * z + value
+        step = value / slope
+        z -= step
+        if abs(step) <= small:
+            return z
+    return None
 
 
 def sided(split: Split) -> bool:
@@ -1243,20 +1299,16 @@ def check_sides(split: Split) -> None:
 def residues(local: Local, z: Sequence[Any], e: Sequence[Any]) -> tuple[Form, Form]:
     """The one root in each disc of radius e round z, and N/D_P there.
 
-    With D(z + h) = Σ E_i h^i the root has h = −(E_0 + (E_1 − E_1(0))h + E_2h² + …)/E_1(0), put into itself.
+    With D(z + h) = Σ E_i h^i the root has h = −(E_0 + (E_1 − E_1(0))h + E_2h² + …)/E_1(0), in forms of first order.
     """
     (D, sizes), (N, above) = local.about(z, local.D), local.about(z, local.N)
     require(not any(x.contains(0) for x in D[1].k[0]), "a p-root may be double on a piece")
     c = [-1 / x for x in D[1].k[0]]
-    turn = Form([[NONE] * len(z), *D[1].k[1:]], D[1].e, D[1].m)
     rest = [ZERO] * len(z)
-    for size in (*reversed(sizes[2:]), turn.size):
+    for size in (*reversed(sizes[2:]), D[1].spread):
         rest = [(x + y) * r for x, y, r in zip(rest, size, e, strict=True)]
     h = D[0].rested(rest).scaled(c)
     e = [min_bound(x, y) for x, y in zip(e, h.size, strict=True)]
-    for _ in range(2 if h.second else 0):
-        h = along([D[0], turn, *D[2:]], sizes, h, e).scaled(c)
-        e = [min_bound(x, y) for x, y in zip(e, h.size, strict=True)]
     return h.plus(z), along(N, above, h, e) * along(D, sizes, h, e, True).inverse()
 
 
@@ -1545,18 +1597,21 @@ def near_inverse(a: Any) -> Any:
     return found
 
 
-def pivots(a: Any) -> Any:
-    """Σ Arg of the pivots of an elimination on the diagonal, in order."""
-    total = arb(0)
+def pivots(a: Any) -> Iterator[Any]:
+    """Those of an elimination on the diagonal, in order."""
     for block in diagonal(a):
         rows = block.tolist()
-        for k in range(len(rows)):
-            total += rows[k][k].arg()
-            for row in rows[k + 1 :]:
-                factor = row[k] / rows[k][k]
+        for k, row in enumerate(rows):
+            yield row[k]
+            for low in rows[k + 1 :]:
+                factor = low[k] / row[k]
                 for j in range(k + 1, len(rows)):
-                    row[j] = row[j] - factor * rows[k][j]
-    return total
+                    low[j] = low[j] - factor * row[j]
+
+
+def turn_of(a: Any) -> Any:
+    """Σ Arg of the pivots."""
+    return sum((x.arg() for x in pivots(a)), ZERO)
 
 
 def diagonal(a: Any) -> Iterator[Any]:
@@ -1748,20 +1803,22 @@ def hermitian(F: Form, index: Sequence[Sequence[int]], turns: Sequence[Any]) -> 
 
 
 def definite(H: Sequence[Any], E: Any) -> bool:
-    """Whether H_0 + Σ ε_k H_k + R > 0 is proved for all |ε_k| ≤ 1 and all Hermitian |R| ≤ E entry by entry."""
-    n = E.nrows()
-    if n == 1:
-        first, *others = [a[0, 0].real for a in H]
-        return bool(first - sum((abs(x) for x in others), arb(0)) - E[0, 0] > 0)
-    X = inverse_cholesky([[complex(x) for x in row] for row in H[0].tolist()])
-    if X is None:
+    """Whether H_0 + Σ ε_k H_k + R > 0 is proved for all |ε_k| ≤ 1 and all Hermitian |R| ≤ E entry by entry.
+
+    R ≥ −diag(row sums of E) (Gershgorin); the (ε_k) at which the rest is > 0 are a convex set: corners are enough.
+    """
+    n, (first, *others) = E.nrows(), H
+    for a in others[CORNERS:]:
+        E = E + moduli(a)
+    lost = (E * arb_mat(n, 1, [1] * n)).entries()
+    least = first - acb_mat([[lost[i] if i == j else 0 for j in range(n)] for i in range(n)])
+    ends = [least]
+    for a in others[:CORNERS]:
+        ends = [x for end in ends for x in (end + a, end - a)]
+    try:
+        return all(x.real > 0 for end in ends for x in pivots(end))
+    except Refused:
         return False
-    left = acb_mat(X)
-    right, size = left.conjugate().transpose(), moduli(left)
-    F = moduli(left * H[0] * right - identity(n)) + size * E * size.transpose()
-    for a in H[1:]:
-        F = F + moduli(left * a * right)
-    return contracting(F)
 
 
 @dataclass(repr=False, eq=False)
@@ -1790,7 +1847,7 @@ class Turn:
 
     def sharp(self, a: Any) -> Any:
         """arg det R A at one point of the disc, from A there."""
-        return pivots(self.R * a)
+        return turn_of(self.R * a)
 
     @cached_property
     def det(self) -> Any:
@@ -1828,25 +1885,6 @@ def turned_one(marks: Sequence[Mark], turns: Sequence[Turn], matrix: Callable[[M
             total += known + 2 * arb.pi() * int(whole)
             i = j
     return total
-
-
-def inverse_cholesky(h: list[list[complex]]) -> list[list[complex]] | None:
-    """X with X H X* ≈ 1, in floats, or None: nothing rests on it."""
-    n = len(h)
-    low: list[list[complex]] = []  # conjugates of the rows of Cholesky's factor, left of the diagonal
-    columns: list[list[complex]] = [[] for _ in range(n)]  # of X
-    for i, row in enumerate(h):
-        one: list[complex] = []
-        for j in range(i):
-            one.append((row[j] - sum(map(mul, one, low[j]))) * columns[j][0])
-        x = row[i].real - sum(abs(y) ** 2 for y in one)
-        if not x > 0:
-            return None
-        low.append([y.conjugate() for y in one])
-        for j in range(i):
-            columns[j].append(-sum(map(mul, one[j:], columns[j])) / x**0.5)
-        columns[i].append(1 / x**0.5 + 0j)
-    return [[columns[j][i - j] if j <= i else 0j for j in range(n)] for i in range(n)]
 
 
 # --- the track alone: passive for all real q ≥ X, and decay at infinity -----------------------------------
@@ -2204,7 +2242,7 @@ def closing(walker: Walker, mark: Mark) -> Any:
                 if more > 1:
                     sharper = split_near(waves.near(Place.disc(at_q(mark.q), ZERO)), split.near(sigma))
                     require(split.links(sharper, sigma), "sharper p-roots are not those of the mark")
-                total = pivots(acb_mat(accretive(b, at_q(mark.q), kernels(waves, sharper)[0].k[0])))
+                total = turn_of(acb_mat(accretive(b, at_q(mark.q), kernels(waves, sharper)[0].k[0])))
             except Refused:
                 continue
             if total.is_finite() and total.rad() < 0.1:
@@ -2461,11 +2499,15 @@ def max_bound(*values: Any) -> Any:
 def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
     """The number of roots on the physical sheet, proved; points are z = q − i height."""
     theorem, values, zero = content["theorem"], content["paths"], fmpq(0)
-    keys(theorem, "begin end reach lower upper")
+    keys(theorem, "begin end reach lower upper", "rest")
     begin, end = (dyadic(theorem[name], name) for name in ("begin", "end"))
     loops, above = read_loops(theorem["lower"]), read_loops(theorem["upper"])
     damped, one = sheet.height > 0, 2 + len(loops)
-    two = damped and end > begin
+    rest = [dyadic(x, "rest") for x in items(theorem.get("rest", []), MAX_REST, "rest")]
+    if rest:  # the paths begin beyond the branch points
+        known = rest[0] == begin and rest[-1] == end and not loops and begin > 0
+        require(known, "the way past the branch points begins or ends elsewhere")
+    two = damped and end > begin and not rest
     paths = read_paths(values, "link" + " turn" * (one - 1) + (" link turn" + " turn" * len(above) if two else ""))
     passive = all(map(semidefinite, sheet.upper.numbers[1:]))
     require(passive, "above the cuts the vehicle is not passive")
@@ -2477,10 +2519,12 @@ def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
     waves = Waves(sheet.track, sheet.upper.places)
     below, up = Walker(waves, Bordered(sheet.lower, waves)), Walker(waves, Bordered(sheet.upper, waves))
     turned = arb(0)
+    for bordered in (below.bordered, *([up.bordered] if damped else [])) if rest else ():
+        turned += turn_at_rest(sheet, bordered, rest, spent)
     for walker, chain, rounds in [(below, paths[:one], loops), (up, paths[one:], above)]:
         if not chain:
             continue
-        link, at = chain[0].points, (begin, zero)
+        link, at = chain[0].points, (end if rest else begin, zero)
         require(link[0] == (zero, -start) and link[-1] == at, "a link does not lead to where the count begins")
         require(all(y <= 0 for _, y in link), "a link is above the line")
         walker.begin(start)
@@ -2508,6 +2552,153 @@ def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
     b, pi = up.bordered, arb.pi()
     closed = closing(up, marks[end, zero]) + (b.nb - b.nc) * pi / 2
     return whole((closed - turned) * (1 if damped else 2) / pi)
+
+
+class Along(Place):
+    """A disc of s, over which σ is a given form."""
+
+    def stand(self, sigma: Form) -> Along:
+        self.powers = [[self.number(1), sigma]]
+        return self
+
+    def value(self, polynomials: Sums) -> Form:
+        rows = polynomials.matrix.tolist()
+        parts = [self.monomial(e).take([0] * len(rows)) for e in polynomials.exponents]
+        scaled = [f.scaled([row[n] for row in rows]) for n, f in enumerate(parts)]
+        return sum(scaled[1:], scaled[0])
+
+
+@dataclass(repr=False, eq=False)
+class AtRest:
+    """The edge of the cut in s, at v = 0: D = EI (P² + sP + π)(P² − sP + π) with 2π = s² + A, A = T/EI."""
+
+    EI: Any
+    A: Any
+    k: Any
+    m: Any
+
+    def Q(self, z: Any) -> Any:
+        """π² at z."""
+        return (self.k - self.m * z * z) / self.EI
+
+    def s(self, z: Any) -> Any:
+        """On the edge seen from below: π and s are the roots with real parts above 0, or their limits."""
+        Q, A = self.Q(z), self.A
+        if Q < 0:
+            return (acb(-arb(A), 2 * arb(-Q).sqrt())).sqrt()
+        w = arb(Q).sqrt()
+        square = arb(4 * Q - A * A) / (2 * w + arb(A)) if A > 0 else 2 * w - arb(A)
+        return acb(square.sqrt()) if A <= 0 or 4 * Q > A * A else acb(0, (-square).sqrt())
+
+    def disc(self, a: Any, b: Any) -> Place:
+        """A disc that holds the image of a ≤ z ≤ b: real, then imaginary, then on the hyperbola Re s² = −A."""
+        Q, last, A = self.Q(a), self.Q(b), self.A
+        ends, arc = [self.s(a), self.s(b)], []
+        if A >= 0 and 4 * Q >= A * A >= 4 * last:
+            ends.append(acb(0))
+        if Q >= 0 > last:
+            ends.append(acb(-arb(A)).sqrt())
+        if last < 0 and A != 0:  # |ds/dy| = 1/|s| along s² = 2iy − A
+            low, high = arb(max(-Q, fmpq(0))).sqrt(), arb(-last).sqrt()
+            least = abs(acb(-arb(A), 2 * low).sqrt())
+            arc.append((acb(-arb(A), low + high).sqrt(), (high - low) / 2 / least))
+        middle = ((ends[0] + ends[1]) / 2).mid()
+        r = max_bound(*(abs(x - middle) for x in ends), *(abs(x - middle) + e for x, e in arc))
+        return Along([middle], [(r * arb(1 + 2.0**-20)).upper()], 1)
+
+    def matrix(self, b: Bordered, place: Place) -> Forms:
+        """Its determinant is −4(EI)²πs²Δ̂ up to a constant, or 2EIπsΔ̂ where there is one place."""
+        EI, A = arb(self.EI), arb(self.A)
+        s = place.power(0, 1)
+        pi = (s * s).plus([A]).scaled([acb(0.5)])
+        square = pi * pi
+        along = Along(place.middle, place.half, 1).stand(
+            root(square.plus([-arb(self.k / self.EI)]), self.EI / self.m)
+        )
+        sites = [at(x, ()) for x in b.vehicle.places]
+        middle = (min(sites) + max(sites)) / 2
+        x = [arb(y - middle) for y in sites]
+        gaps = [max(arb(0), -y.real) if not y.is_zero() else arb(0) for y in b.waves.distances]
+        rho = (s.size[0] + pi.size[0].sqrt() + abs(A).sqrt()).upper()
+        widest = (rho * max_bound(*map(abs, x), *gaps)).upper()
+        require(widest < 64, "the places are too far apart for the way past the branch points")
+        terms_ = 12 + 4 * int(float(widest)) + flint.ctx.prec // 3
+        one, zero = s.scaled([NONE]).plus([1]), s.scaled([NONE])
+        p, q, K = [one, zero], [zero, one], [zero] * 3 + [one.scaled([1 / EI])]
+        while len(p) < terms_:
+            p.append(-(s * p[-1] + pi * p[-2]))
+            q.append(-(s * q[-1] + pi * q[-2]))
+        while len(K) < terms_:
+            K.append(-(K[-2].scaled([A]) + square * K[-4]) if len(K) % 2 else zero)
+        A_, E = b(along, series(K, gaps, 3, rho))
+        waves = [p] if len(b.vehicle.sites) == 1 else [p, q]
+        factors, columns, low = along.value(b.factors), [], []
+        links = [(i, f, j) for i, row in enumerate(b.links) for f, j in row]
+        for order, wave in enumerate(waves):
+            products = factors.take([f for _, f, _ in links]) * series(wave, x, order, rho).take(
+                [j for *_, j in links]
+            )
+            rows = [[n for n, (i, *_) in enumerate(links) if i == row] for row in range(b.size)]
+            columns.append(joined([folded(products.take(row), 1) if row else zero for row in rows]))
+            low.append(-series(wave, [-y for y in x], order, rho))
+        corner = [(s * pi).scaled([2 * EI]), s.scaled([-2 * EI])]
+        empty = b.size - b.nc
+
+        def full(matrix: Any, some: Callable[[Form], list[Any]], nothing: Any) -> list[list[Any]]:
+            top = [[*line, *(some(c)[i] for c in columns)] for i, line in enumerate(matrix.tolist())]
+            for n, form in enumerate(low):
+                ends = [some(corner[n])[0] if i == n else nothing for i in range(len(low))]
+                top.append([*[nothing] * empty, *some(form), *ends])
+            return top
+
+        matrices = [acb_mat(full(a, lambda f, k=k: f.k[k], NONE)) for k, a in enumerate(A_)]  # type: ignore[misc]
+        return matrices, arb_mat(full(E, lambda f: f.e, ZERO))
+
+
+def root(f: Form, factor: Any) -> Form:
+    """√(factor·f) = i√(−factor·f), the root of −factor·f with positive real part."""
+    f = f.scaled([acb(-arb(factor))])
+    c = f.k[0][0].sqrt()
+    require(c.real > 0, "z = 0 lies on a piece of the way past the branch points")
+    if not f.m:
+        return f.scaled([NONE]).plus([acb(0, 1) * c])
+    size = abs(f.k[0][0])
+    y = (f.sizes(1)[0] + f.e[0]) / size
+    require(y < 0.9, "a piece of the way past the branch points comes too close to z = 0")
+    rest = abs(c) * (f.e[0] / size / 2 + y * y / 8 / (1 - y) ** 2)
+    return Form([[acb(0, 1) * c], [acb(0, 1) * f.k[1][0] / (2 * c)]], [rest], 1)
+
+
+def series(f: Sequence[Form], x: Sequence[Any], order: int, rho: Any) -> Form:
+    """Σ f_n xⁿ/n! at each x; |f_n| ≤ ρ^(n − order) |f_order|, so what is left out is at most twice its first term."""
+    n, total = len(x), None
+    power = [acb(1)] * n
+    for k, one in enumerate(f):
+        power = [y * z / k for y, z in zip(power, x, strict=True)] if k else power
+        term = one.take([0] * n).scaled(power)
+        total = term if total is None else total + term
+    first, last = abs(f[order].k[0][0]), len(f)
+    sizes = [abs(arb(y)) for y in x]
+    require(all(2 * rho * y < last for y in sizes), "a series is too short")
+    left = [2 * first * y**order * (rho * y) ** (last - order) / arb(last).fac() for y in sizes]
+    return total.rested([y.upper() for y in left])  # type: ignore[union-attr]
+
+
+def turn_at_rest(sheet: Sheet, b: Bordered, z: Sequence[Any], spent: Walker) -> Any:
+    """The change of arg Δ̂ along the edge of the cut from z[0] in the gap to z[-1] beyond all branch points, v = 0."""
+    t = terms(sheet.track.D)
+    edge = AtRest(t[4, 0], t.get((2, 0), fmpq(0)) / t[4, 0], t[0, 0], t[0, 2])
+    fine = sheet.track.v == 0 and terms(sheet.track.N) == {(0, 0): 1} and all(x < y for x, y in pairwise(z))
+    require(fine and edge.Q(z[0]) > 0 > edge.Q(z[-1]), "the way past the branch points is another one")
+    total = arb(0)
+    for x, y in pairwise(z):
+        spent.pieces += 1
+        spent.spend(4000 + 200 * b.size**2 + b.size**3)
+        place = edge.disc(x, y)
+        turn = Turn.over(edge.matrix(b, place), place)
+        first, last = (edge.matrix(b, Place.disc(edge.s(w), ZERO))[0][0] for w in (x, y))
+        total += turn.sharp(last) - turn.sharp(first)
+    return total - (1 if len(b.vehicle.sites) == 1 else 2) * edge.s(z[-1]).arg() - arb.pi() / 2
 
 
 def count_beside(sheet: Sheet, region: Region, spent: Walker, content: Any, start: Any) -> int:

@@ -36,7 +36,7 @@ from mpsolve.proof.effort import Effort
 from mpsolve.proof.turning import Regular, pivot_arguments, regular
 
 _ROUNDS = 8
-_HARD, _ORDER = 0.84, 0.6  # θ of a piece that is aimed at where pieces are spread evenly; θ^0.6 grows as their length
+_HARD, _ORDER = 0.88, 0.6  # θ of a piece that is aimed at where pieces are spread evenly; θ^0.6 grows as their length
 _SPREADS, _ROUGH, _SMOOTH = 4, 4.0, 3.0
 ROOM = 1.03
 """Pieces are planned on discs this much larger, so that a checker with wider bounds passes them too."""

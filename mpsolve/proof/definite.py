@@ -10,15 +10,14 @@ from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.proof.turning import weighed
 
-_DEFINITE = 0.9  # less than what holds, for a checker with wider bounds
+_MOST = 0.98  # of θ: below 1 by a margin, so that a checker that rounds otherwise agrees
 
 
 @np.errstate(all="ignore")
-def positive_definite(H: Any, E: Reals, most: float = 0.98) -> Any:
+def positive_definite(H: Any, E: Reals) -> Any:
     """Whether H₀ + Σ ε_k H_k + R is positive definite for all |ε_k| ≤ 1 and Hermitian |R| ≤ E, entry by entry.
 
-    H: (boxes, 1 + k, n, n), E: (boxes, n, n). X H X* = 1 + F with |F| x ≤ θ x, θ < 1, for some regular X and x > 0;
-    θ ≤ most.
+    H: (boxes, 1 + k, n, n), E: (boxes, n, n). X H X* = 1 + F with |F| x ≤ θ x, θ < 1, for some regular X and x > 0.
     """
     n = H.shape[2]
     finite = np.isfinite(H).all((1, 2, 3)) & np.isfinite(E).all((1, 2))
@@ -35,7 +34,7 @@ def positive_definite(H: Any, E: Reals, most: float = 0.98) -> Any:
         F = F + np.abs(X @ H[:, k] @ Xh)
     F = (F + size @ (E + lost * whole) @ np.swapaxes(size, 1, 2)) * UP
     F = np.where(sane[:, None, None], F, 1.0)
-    return finite & sane & (weighed(F)[1] < most)
+    return finite & sane & (weighed(F)[1] < _MOST)
 
 
 def positive(V: Jet, way: Any, drift: Reals) -> Any:
@@ -44,7 +43,7 @@ def positive(V: Jet, way: Any, drift: Reals) -> Any:
     with np.errstate(all="ignore"):
         H = np.stack([_hermitian(V.a), _hermitian(way[:, None, None] * V.b) * r], 1)
         rest = V.e + drift[:, None, None] * np.abs(V.b) + 64 * (n + 4) * U * (np.abs(V.a) + np.abs(V.b) * r)
-        return positive_definite(H, (rest + np.swapaxes(rest, 1, 2)) / 2, _DEFINITE)
+        return positive_definite(H, (rest + np.swapaxes(rest, 1, 2)) / 2)
 
 
 def _hermitian(a: Any) -> Any:

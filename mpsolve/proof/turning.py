@@ -19,9 +19,9 @@ from mpsolve.frozen import frozen
 from mpsolve.numbers.arrays import Reals, Truths
 from mpsolve.numbers.jets import TINY, UP, Jet, U
 
-THETA = 0.9
+THETA = 0.97
 """Below 1 by a margin, so that a checker that rounds otherwise agrees."""
-_PIVOTS = 0.95
+_PIVOTS = 0.99
 """The most that θ + φ may be in `pivot_arguments`."""
 
 

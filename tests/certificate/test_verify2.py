@@ -694,9 +694,36 @@ def test_pivots_by_blocks_are_those_of_plain_elimination(n):
     for k in range(n):
         total += np.angle(b[k, k])
         b[k + 1 :, k + 1 :] -= np.outer(b[k + 1 :, k], b[k, k + 1 :]) / b[k, k]
-    found = v2.pivots(a)
+    found = v2.turn_of(a)
     assert abs(float(found.mid()) - total) < 1e-12
     assert found.rad() < 1e-10
+
+
+@pytest.mark.parametrize("n", [1, 2, 5, 12])
+def test_hermitian_matrices_over_a_box_against_eigenvalues(n):
+    """Where it is proved no eigenvalue is < 0 anywhere in the box, or with a rest; it is where there is a margin."""
+    rng, seen = np.random.default_rng(n), []
+
+    def hermitian():
+        a = rng.normal(size=(n, n)) + 1j * rng.normal(size=(n, n))
+        return (a + a.conj().T) / 2
+
+    for k in range(60):
+        H, E = [hermitian() for _ in range(3)], abs(hermitian()) * 0.1
+        corners = [H[0] + x * H[1] + y * H[2] for x, y in itertools.product((-1, 1), repeat=2)]
+        least = min(np.linalg.eigvalsh(a)[0] for a in corners)
+        shift = rng.uniform(-0.5, 1.5) * E.sum(1).max() - least
+        H[0] = H[0] + shift * np.eye(n)
+        proved = v2.definite([acb_mat(a.tolist()) for a in H], arb_mat(E.tolist()))
+        worst = min(  # a rest that pulls along the weakest direction
+            np.linalg.eigvalsh(a - E * np.outer(u, u.conj()))[0]
+            for a in [c + shift * np.eye(n) for c in corners]
+            for u in [np.exp(1j * np.angle(np.linalg.eigh(a)[1][:, 0]))]
+        )
+        assert not (proved and worst <= 0), k
+        assert proved or least + shift < E.sum(1).max(), k
+        seen.append(proved)
+    assert set(seen) == {True, False}
 
 
 MIXED = {  # a mass on its own; a wheel with a frame above; a body on two contacts, one of them soft
@@ -790,7 +817,7 @@ def test_a_closing_that_one_precision_leaves_open_is_taken_with_more():
     with v2.precision(10):
         a = v2.accretive(walker.bordered, acb(0, 2), v2.kernels(waves, corner.thin)[0].k[0])
         try:
-            once = v2.pivots(acb_mat(a)).rad()
+            once = v2.turn_of(acb_mat(a)).rad()
         except v2.Refused:
             once = arb("inf")
         found = v2.closing(walker, corner)

@@ -577,13 +577,12 @@ def test_rests_are_no_smaller_than_what_is_left_out() -> None:
         assert form.e[0] < 0.003
 
 
-@pytest.mark.parametrize("order", [1, 2])
-def test_a_root_moves_as_its_form_says(order: int) -> None:
+def test_a_root_moves_as_its_form_says() -> None:
     """0.1 u + h + h³ = 0: what is left out is (0.1 u)³, and a little more at u = i. N = 1 + h²."""
     cubic = checker.Sums.of([{(1,): fmpq(1, 10)}, {(0,): fmpq(1)}, {}, {(0,): fmpq(1)}])
     above = checker.Sums.of([{(0,): fmpq(1)}, {}, {(0,): fmpq(1)}])
     with precision(64):
-        local = checker.spectra.Local(Place([acb(0)], [acb(1)], order), cubic, above)
+        local = checker.spectra.Local(Place([acb(0)], [acb(1)], 1), cubic, above)
         root, weight = checker.spectra.residues(local, [acb(0)], [arb("0.3")])
         for u in (1, -1, 1j):
             h = acb(0)
@@ -591,7 +590,7 @@ def test_a_root_moves_as_its_form_says(order: int) -> None:
                 h = -acb("0.1") * acb(u) - h**3
             assert abs(_model(root, (u,)) - h) <= root.e[0]
             assert abs(_model(weight, (u,)) - (1 + h * h) / (1 + 3 * h * h)) <= weight.e[0]
-        assert root.e[0] < (0.0012 if order == 2 else 0.03)
+        assert root.e[0] < 0.03
 
 
 def continued(q: tuple[float, float], v: tuple[float, float], u: tuple[complex, complex], xi: float) -> complex:
