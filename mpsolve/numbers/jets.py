@@ -78,6 +78,11 @@ class Jet:
         """The discs with these leading indices."""
         return Jet(self.a[rows], self.b[rows], self.e[rows], self.r[rows])
 
+    def taken(self, numbers: Any) -> Jet:
+        """Along the last axis."""
+        a, b, e = (np.take(x, numbers, -1) for x in (self.a, self.b, self.e))
+        return Jet(a, b, e, self.r)
+
     def __neg__(self) -> Jet:
         return Jet(-self.a, -self.b, self.e, self.r)
 

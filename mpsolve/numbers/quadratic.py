@@ -85,6 +85,10 @@ class Quadratic:
         rest = key if isinstance(key, tuple) else (key,)
         return Quadratic(self.k[(slice(None), *rest)], self.e[key], self.m)
 
+    def taken(self, numbers: Any) -> Quadratic:
+        """Along the last axis."""
+        return Quadratic(np.take(self.k, numbers, -1), np.take(self.e, numbers, -1), self.m)
+
     def __neg__(self) -> Quadratic:
         return Quadratic(-self.k, self.e, self.m)
 
