@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mpsolve import cli_vibration
-from mpsolve.cli_tools import FILE, PATH, checked_file, command, output, seconds_of
+from mpsolve.cli_tools import FILE, PATH, checked_file, command, output, progress, seconds_of
 from mpsolve.errors import InputError
 
 if TYPE_CHECKING:
@@ -20,31 +20,41 @@ if TYPE_CHECKING:
 _END = click.option(
     "--to",
     "end",
-    show_default="2 s for a file with [track], else 100",
-    help='The last time: τ of the paper, or "2 s"; in s for a file with [track].',
+    metavar="TIME",
+    help='The last time, such as "500 ms"; a number is in s, or τ of the paper.  [default: 2 s, or τ = 100]',
 )
-_POINTS = click.option("--points", type=click.IntRange(2, 1_000_000), default=1001, show_default=True, help="Times.")
+_POINTS = click.option(
+    "--points", type=click.IntRange(2, 1_000_000), default=1001, show_default=True, help="How many times, from 0 on."
+)
 _SUFFIXES = (".csv", ".json", ".npz", ".png", ".svg", ".pdf")
 
 
 @command()
 @FILE
-@output(f"Write FILE{', '.join(_SUFFIXES)}.")
+@output(f"Write FILE{' or '.join(_SUFFIXES)}.")
 @_END
 @_POINTS
-@click.option("--xi", help="Positions in the moving frame, as 0,1.5: ξ, or in m.  [default: those of the contacts]")
+@click.option(
+    "--xi",
+    metavar="PLACES",
+    help="Positions in the moving frame, as 0,1.5: ξ, or in m.  [default: those of the contacts]",
+)
 @click.option(
     "--initial",
     type=click.Choice(["rest", "steady"]),
     default="rest",
     show_default=True,
-    help="In s: all loads at once, or constant ones since ever.",
+    help="In s: at t = 0 all loads come on at once, or the constant ones have acted for ever.",
 )
 @click.option(
-    "--roughness", help='In s: a wave on the rail under all contacts, AMPLITUDE,WAVELENGTH as "20 µm, 0.8 m".'
+    "--roughness",
+    metavar="WAVE",
+    help='In s: a wave on the rail under all contacts, AMPLITUDE,WAVELENGTH as "20 µm, 0.8 m".',
 )
 @click.option(
-    "--out-of-round", help='In s: uneven wheels, AMPLITUDE,RADIUS[,TIMES A TURN[,CONTACT]] as "0.1 mm, 0.46 m, 3".'
+    "--out-of-round",
+    metavar="WHEELS",
+    help='In s: uneven wheels, AMPLITUDE,RADIUS[,TIMES A TURN[,CONTACT]] as "0.1 mm, 0.46 m, 3".',
 )
 @click.option("--animate", type=PATH, help="In s: write a film of the rail as this FILE.svg.")
 def response(
@@ -58,15 +68,20 @@ def response(
     out_of_round: str | None,
     animate: Path | None,
 ) -> None:
-    """Compute the motion from rest of the vehicles in FILE (TOML), in float64.
+    """Compute the motion of the vehicles in FILE (TOML), and when a wheel first lifts off, in float64.
 
-    A file with [track], or any file in SI where --to ends in s, gives m, s, N and rad, with errors estimated and the
-    first lift-off. Else the file is a case of the paper, over certified frequencies, in its τ and ξ:
-    The loads are those of the file: P, P_A, omega_f, phi_f of each [[mass]], or constant, amplitude, frequency, phase
-    of each [[load]] beside [dimensionless]. Without any, each mass carries its weight, or one unit constant force. A
-    physical file gives s, mm and kN; a dimensionless one τ = √(k/m) t, displacements in units of w_st = χ/(2k) times
-    the unit force, and forces in unit forces. Exit status 0: written. 1: it could not be computed or written. 2: the
-    input cannot be used.
+    FILE in SI: m, s, N and rad, with estimated errors. The loads are those of the file, else the weights; they come
+    on suddenly at t = 0, unless --initial steady.
+
+    A case of the paper ([dimensionless], or [physical] without a unit in --to): τ and ξ of the paper, over certified
+    frequencies. The loads are P, P_A, omega_f, phi_f of each [[mass]], or constant, amplitude, frequency, phase of
+    each [[load]], else the weights, or one unit force each. [physical] gives s, mm and kN; [dimensionless]
+    τ = √(k/m) t, displacements in units of w_st = χ/(2k) times the unit force, and forces in unit forces.
+
+    Columns of a table: w is the sum of steady (what the loads keep up), harmonic (at the induced frequencies) and
+    transient (the rest).
+
+    Exit status 0: written. 1: it could not be computed or written. 2: the input cannot be used.
     """
     from mpsolve.problem.casefile import InputFile
 
@@ -81,7 +96,8 @@ def response(
         last = _seconds(end) or _last(end)
         checked_file(animate, file, "the film", (".svg",), "animate")
         rough = _irregularities(source.problem, roughness, out_of_round)
-        found = cli_vibration.of_problem(source, _grid(last, points), places, initial, rough)
+        with progress() as tell:
+            found = cli_vibration.of_problem(source, _grid(last, points), places, initial, rough, tell)
         if animate is not None:
             cli_vibration.film(source, animate, last, initial, rough)
     if output is not None:

@@ -42,7 +42,7 @@ _REGIONS = ("--rectangle", "--disc", "--half-plane", "--real")
     nargs=4,
     multiple=True,
     metavar="RE IM DRE DIM",
-    help="A branch cut from RE + i IM in the direction DRE + i DIM, along an axis. May be given more than once.",
+    help="A branch cut from RE + i IM on, in the direction DRE + i DIM. May be given more than once.",
 )
 @digits_option(15)
 @EFFORT
@@ -104,26 +104,20 @@ def _answer(function: str, regions: tuple[Any, ...], cuts: Any, digits: int, sec
 
 
 def _text(answer: Any) -> str:
+    from mpsolve.report.remedies import on_command_line
+
     lines = [f"f(z) = {answer.function}"]
     if answer.note:
         lines.append(f"Note: {answer.note}.")
     lines += [f"Assumed: {one}." for one in answer.assumed]
     if not answer.proved:
-        return "\n".join([*lines, f"Undecided: {answer.reason}."])
+        return "\n".join([*lines, f"Undecided: {on_command_line(str(answer.reason))}."])
     number = "no zeros" if not answer.count else "1 zero" if answer.count == 1 else f"{answer.count} zeros"
-    lines.append(
-        f"{answer.status.value.capitalize()}: {number} in {_where(answer.region)}, counted with multiplicity."
-    )
+    lines.append(f"{answer.status.value.capitalize()}: {number} in {answer.where}, counted with multiplicity.")
     for zero in answer.roots:
         times = f"   {zero.multiplicity} times" if zero.multiplicity > 1 else ""
         lines.append(f"  {zero.q.str(answer.digits)}{times}")
     return "\n".join(lines)
-
-
-def _where(region: Any) -> str:
-    if isinstance(region, tuple):
-        return f"[{float(region[0]):.8g}, {float(region[1]):.8g}]"
-    return str(region).replace(" q ", " z ")
 
 
 def _data(answer: Any) -> dict[str, Any]:
@@ -135,7 +129,7 @@ def _data(answer: Any) -> dict[str, Any]:
         "format": "mpsolve roots",
         "version": 1,
         "function": answer.function,
-        "region": _where(answer.region),
+        "region": answer.where,
         "status": answer.status.value,
         "count": answer.count,
         "zeros": zeros,

@@ -121,6 +121,15 @@ def _real(word: str, unit: str, key: str) -> float:
     return float(in_unit(word.strip(), unit, key))
 
 
+def _require_units_of_both(first: str, last: str, text: str) -> None:
+    """So that "1 Hz,100,3" is no range from 1 Hz to 100 rad/s."""
+    from mpsolve.numbers.units import split
+
+    bare = [number for number, unit in map(split, (first, last)) if not unit]
+    if len(bare) == 1 and bare[0].strip("0.- "):
+        raise InputError("--omega", f"is {text!r}, where {bare[0]} stands without a unit: write it at both ends")
+
+
 def _frequencies(text: str, si: bool) -> tuple[float, ...]:
     import numpy as np
 
@@ -128,6 +137,7 @@ def _frequencies(text: str, si: bool) -> tuple[float, ...]:
     if text.count(",") != 2 or not (count.strip().isdecimal() and 1 <= int(count) <= _MOST):
         raise InputError("--omega", f"is {text!r}: give FIRST,LAST,COUNT, with a whole COUNT from 1 to {_MOST}")
     low, high = (_real(end, "rad/s" if si else "", "--omega") for end in (first, last))
+    _require_units_of_both(first, last, text)
     return tuple(np.linspace(low, high, int(count)).tolist())
 
 

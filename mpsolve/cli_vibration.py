@@ -13,6 +13,7 @@ from mpsolve.errors import InputError, PrecisionError
 if TYPE_CHECKING:
     from mpsolve.problem.casefile import InputFile
     from mpsolve.problem.inputfile import ProblemFile
+    from mpsolve.progress import Progress
     from mpsolve.vibration.case_motion import Response
     from mpsolve.vibration.case_units import Scale
     from mpsolve.vibration.forcing import Irregularity
@@ -46,13 +47,20 @@ class Shown:
             self.picture(output, title)
 
 
-def of_problem(source: ProblemFile, times: Any, places: list[str] | None, initial: str, rough: Rough) -> Shown:
+def of_problem(
+    source: ProblemFile,
+    times: Any,
+    places: list[str] | None,
+    initial: str,
+    rough: Rough,
+    tell: Progress | None = None,
+) -> Shown:
     """The motion in SI."""
     from mpsolve.report.figures_motion import save_motion
     from mpsolve.vibration.table import arrays, columns
     from mpsolve.vibration.vibrate import vibrate
 
-    given: dict[str, Any] = {"initial": initial, "irregularities": rough}
+    given: dict[str, Any] = {"initial": initial, "irregularities": rough, "progress": tell}
     found = vibrate(source.problem, source.loads, times=times, places=places, **given)
     said = [*_summary(found), *warnings(source)]
     return Shown(said, partial(columns, found), partial(save_motion, found), partial(arrays, found))
@@ -118,7 +126,7 @@ def _summary(found: Vibration) -> list[str]:
         )
     event = found.lift_off
     if event is None:
-        lines.append("contact is kept.")
+        lines.append(f"contact is kept up to {float(found.times.max()):.6g} s.")
     else:
         lines.append(
             f"contact {event.contact} lifts off at t = {event.time:.8g} s (± {event.tolerance:.1e}): what comes "

@@ -121,6 +121,13 @@ def test_importing_the_command_is_light() -> None:
 ALL = {name: cli.get_command(click.Context(cli), name) for name in cli.list_commands(click.Context(cli))}
 
 
+def test_the_list_of_commands_has_whole_sentences() -> None:
+    listed = CliRunner().invoke(cli, ["--help"]).stdout.split("Commands:")[1]
+    assert "..." not in listed
+    said = " ".join(listed.split())
+    assert all(f"{name} {one.get_short_help_str(200)}" in said for name, one in ALL.items() if one is not None)
+
+
 @pytest.mark.parametrize("name", sorted(ALL))
 def test_each_help_ends_with_an_example_that_can_be_typed(name: str) -> None:
     """The words of the example are those that the command takes."""

@@ -37,7 +37,7 @@ def test_undecided_is_status_1_with_what_helps() -> None:
     done = run("sqrt(z) - 1/2", "--rectangle", "-1", "2", "-1", "1")
     assert done.exit_code == 1
     assert "Undecided" in done.output
-    assert "cut" in done.output
+    assert "declare the branch cuts, each with --cut RE IM DRE DIM" in done.output
 
 
 @pytest.mark.parametrize(

@@ -62,6 +62,7 @@ def table(*arguments: str) -> list[dict[str, str]]:
 
 
 def test_hertz_and_centimetres() -> None:
+    assert table(str(BOGIE), "--omega", "0,1 Hz,2") == table(str(BOGIE), "--omega", "0 Hz,1 Hz,2")
     spoken = table(str(BOGIE), "--omega", "10 Hz,20 Hz,3", "--xi", "0,150 cm")
     plain = table(str(BOGIE), "--omega", f"{20 * pi!r},{40 * pi!r},3", "--xi", "0,1.5")
     assert len(spoken) == len(plain)
@@ -76,6 +77,7 @@ def test_hertz_and_centimetres() -> None:
     [
         (BOGIE, "1 m,2,3", "0", "--omega: is '1 m', whose unit is m"),
         (BOGIE, "1,2,3", "1 kg", "--xi: is '1 kg', whose unit is kg"),
+        (BOGIE, "1 Hz,2,3", "0", "where 2 stands without a unit: write it at both ends"),
         (PLAIN, "1 Hz,2,3", "0", "--omega: is '1 Hz'"),
     ],
 )

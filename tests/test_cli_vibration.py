@@ -32,7 +32,7 @@ def test_a_table_in_SI_with_units(tmp_path: Path) -> None:
     result = run("response", BOGIE, "-o", table, "--to", "0.2 s", "--points", "21", "--xi", "0,3.4")
     assert result.exit_code == 0, result.output
     assert "induced frequency 6.76444 Hz decays" in result.output
-    assert "contact is kept" in result.output
+    assert "contact is kept up to 0.2 s." in result.output
     found = response(read_problem(BOGIE).problem, times=np.linspace(0, 0.2, 21), places=[0, "3.4"])
     for k, row in enumerate(rows_of(table)):
         assert float(row["t [s]"]) == found.times[k]

@@ -56,7 +56,8 @@ def real_roots(
         raise InputError("b", f"is {shown(high)}, not above a = {shown(low)}: give the ends in order")
     given = read_function(f, None, False)
     if given.expression is None or not given.function.real:
-        raise InputError("f", "is not known to be real on the real axis: give an expression without i")
+        remedy = "give an expression without i, and √ and log only of numbers above 0"
+        raise InputError("f", f"is not known to be real on the real axis: {remedy}")
     common: dict[str, Any] = {"function": given.words, "digits": digits, "region": (low, high)}
     try:
         tilings = [tile(part, power, low, high, budget) for part, power in given.function.parts]

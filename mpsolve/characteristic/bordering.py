@@ -99,40 +99,41 @@ class Bordering:
         return list(first), list(second)
 
     @cached_property
-    def _plan(self) -> tuple[Any, Any, list[Any], Any]:
-        """(f and g of each product; of the different entries the places in [f, g, f·g] of the terms; their own)."""
-        entries: dict[Any, int] = {}
-        where = np.array([[entries.setdefault(cell, len(entries)) for cell in row] for row in self.cells])
-        terms = dict.fromkeys(term for cell in entries for term in cell)
-        products = [(f, g) for f, g in terms if f is not None and g is not None]
-        first = len(self.polynomials)
-        last = first + len(self.distances) + self.waves * (2 * len(self.which) + self.waves)
-        place = {term: last + k for k, term in enumerate(products)}
-        place |= {(f, g): first + g if f is None else f for f, g in terms if f is None or g is None}
-        layers = [
-            np.array([place[cell[n]] if n < len(cell) else 0 for cell in entries])
-            for n in range(max(1, max(map(len, entries))))
-        ]
-        factors, waves = np.array(products, int).reshape(-1, 2).T
-        return factors, waves, layers, where
+    def _plan(self) -> tuple[Any, ...]:
+        """Numbers of f, of g, of f and g of products that stand in entries; of sums, by layers, their terms among
+        these, one behind the other; and each entry's own among these and the sums."""
+        zero = (0, None)
+        cells = dict.fromkeys(cell or (zero,) for row in self.cells for cell in row)
+        terms = sorted(dict.fromkeys([zero, *(term for cell in cells for term in cell)]), key=_kind)
+        own = {term: k for k, term in enumerate(terms)}
+        sums = [cell for cell in cells if len(cell) > 1]
+        place = {cell: own[cell[0]] for cell in cells} | {cell: len(own) + k for k, cell in enumerate(sums)}
+        where = [[place[cell or (zero,)] for cell in row] for row in self.cells]
+        deepest = max(map(len, sums), default=0)
+        layers = [[own[cell[n] if n < len(cell) else zero] for cell in sums] for n in range(deepest)]
+        columns = [[term[k] for term in terms if _kind(term) == kind] for kind, k in ((0, 0), (1, 1), (2, 0), (2, 1))]
+        return *(np.array(numbers, int) for numbers in columns), np.array(layers, int), np.array(where, int)
 
     def matrix(self, f: Any, g: Any, joined: Joined = arrays_joined) -> Any:
         """A from the values of the polynomials and of the g along the last axis: shape (…, rows, columns)."""
-        factors, waves, _, _ = self._plan
-        return self._filled(joined([f, g, f[..., factors] * g[..., waves]]))
+        _, _, factors, waves, *_ = self._plan
+        return self._filled(f, g, _taken(f, factors) * _taken(g, waves), joined)
 
     def slope(self, f: Any, g: Any, f_slope: Any, g_slope: Any, joined: Joined = arrays_joined) -> Any:
         """The slope of A in anything, from those of the f and the g."""
-        factors, waves, _, _ = self._plan
-        products = f[..., factors] * g_slope[..., waves] + f_slope[..., factors] * g[..., waves]
-        return self._filled(joined([f_slope, g_slope, products]))
+        _, _, factors, waves, *_ = self._plan
+        products = _taken(f, factors) * _taken(g_slope, waves) + _taken(f_slope, factors) * _taken(g, waves)
+        return self._filled(f_slope, g_slope, products, joined)
 
-    def _filled(self, terms: Any) -> Any:
-        _, _, layers, where = self._plan
-        total = terms[..., layers[0]]
-        for layer in layers[1:]:
-            total = total + terms[..., layer]
-        return total[..., where]
+    def _filled(self, f: Any, g: Any, products: Any, joined: Joined) -> Any:
+        alone, received, _, _, layers, where = self._plan
+        terms = joined([_taken(f, alone), _taken(g, received), products])
+        if len(layers):
+            total = _taken(terms, layers[0])
+            for layer in layers[1:]:
+                total = total + _taken(terms, layer)
+            terms = joined([terms, total])
+        return _taken(terms, where)
 
     def at(self, K: Arithmetic, sigma: Any, g: Sequence[Any]) -> Any:
         """The matrix A(σ) of an arithmetic."""
@@ -146,6 +147,16 @@ class Bordering:
     @cached_property
     def _rates(self) -> list[tuple[Any, ...]]:
         return [tuple(k * c for k, c in enumerate(row))[1:] or (Fraction(0),) for row in self.polynomials]
+
+
+def _kind(term: tuple[int | None, int | None]) -> int:
+    """0: f alone, 1: g alone, 2: a product."""
+    return 0 if term[1] is None else 1 if term[0] is None else 2
+
+
+def _taken(x: Any, numbers: Any) -> Any:
+    """Along the last axis; unlike x[..., numbers] in the order in which what follows is quick."""
+    return np.take(x, numbers, -1) if isinstance(x, np.ndarray) else x.taken(numbers)
 
 
 def _values(K: Arithmetic, sigma: Any, rows: Sequence[Any]) -> Any:

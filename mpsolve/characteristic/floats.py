@@ -156,13 +156,17 @@ class Floats:
 
     def delta(self, sigma: Any) -> tuple[Any, Any]:
         """Δ̂ and dΔ̂/dσ on an array of σ."""
-        A, A_sigma = self.matrices(sigma)
-        value, slope = np.linalg.det(A), np.empty(len(A), complex)
-        regular = value != 0
-        turned = np.linalg.solve(A[regular], A_sigma[regular]).trace(axis1=-2, axis2=-1)
-        slope[regular] = value[regular] * turned
-        slope[~regular] = (_adjugate(A[~regular]) @ A_sigma[~regular]).trace(axis1=-2, axis2=-1)
-        return value, slope
+        return det_and_slope(*self.matrices(sigma))
+
+
+def det_and_slope(A: Any, A_sigma: Any) -> tuple[Any, Any]:
+    """Determinants of matrices and their slopes, where A is singular too, as at a root itself."""
+    value, slope = np.linalg.det(A), np.empty(len(A), complex)
+    regular = value != 0
+    turned = np.linalg.solve(A[regular], A_sigma[regular]).trace(axis1=-2, axis2=-1)
+    slope[regular] = value[regular] * turned
+    slope[~regular] = (_adjugate(A[~regular]) @ A_sigma[~regular]).trace(axis1=-2, axis2=-1)
+    return value, slope
 
 
 def _adjugate(A: Any) -> Any:

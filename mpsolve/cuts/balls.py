@@ -38,11 +38,11 @@ class EdgeBalls:
         one = Sloped(acb(p), (acb(1), acb(0)))
         return edge(one, [_free(c, x) for c in beam(self.family)[:-1]], _root)
 
-    def partner(self, p: Any, x: Any) -> Any:
+    def partner(self, p: arb, x: arb) -> Any:
         """The p-root ir that p meets where the cut begins: a ball of r."""
         return self._others(self.edge(p, x), p, x)[0].value
 
-    def _others(self, at: Edge, p: Any, x: Any) -> list[Sloped]:
+    def _others(self, at: Edge, p: arb, x: arb) -> list[Sloped]:
         """r of b, a′ and b′."""
         middle = np.array([[float(c.value.real.mid()) for c in at.cubic]])
         v = value_at(self.family.v, [acb(x)]).real
@@ -52,7 +52,7 @@ class EdgeBalls:
         _require_sides(at, v, found[1], found[2], bool(real[0]))
         return found
 
-    def parts(self, p: Any, x: Any) -> Parts:
+    def parts(self, p: arb, x: arb) -> Parts:
         """What A is made of, with slopes; `PrecisionError` where balls cannot decide."""
         at, family = self.edge(p, x), self.family
         EI, N = (_free(beam(family)[k], x) for k in (0, -1))
@@ -62,7 +62,7 @@ class EdgeBalls:
         a = Sloped(acb(p), (acb(1), acb(0))).times(1j)
         return Parts(a, b, a2, b2, EI, N, at.sigma, places, apart, self.border.signs, _constant(1), _constant(0))
 
-    def matrices(self, p: Any, x: Any) -> tuple[Any, list[Any]]:
+    def matrices(self, p: arb, x: arb) -> tuple[acb_mat, list[acb_mat]]:
         """(A, [∂A/∂p, ∂A/∂x̂]); `PrecisionError` where balls cannot decide."""
         parts = self.parts(p, x)
         rows = filled(self.border, parts.sigma, x, of_one(parts))
@@ -82,7 +82,7 @@ class InPlane:
     def value(self, p: Any, x: Any) -> Any:
         return self.reduction.scalar(self.balls.matrices(p, x)[0])
 
-    def slopes(self, p: Any, x: Any) -> tuple[Any, Any]:
+    def slopes(self, p: arb, x: arb) -> tuple[acb, acb]:
         A, (A_p, A_x) = self.balls.matrices(p, x)
         return self.reduction.scalar_slope(A, A_p), self.reduction.scalar_slope(A, A_x)
 
@@ -102,7 +102,7 @@ def _constant(value: int) -> Sloped:
     return Sloped(acb(value), (acb(0), acb(0)))
 
 
-def _free(c: Several, x: Any) -> Sloped:
+def _free(c: Several, x: arb) -> Sloped:
     return Sloped(value_at(c, [acb(x)]), (acb(0), value_at(slope_of(c, 0), [acb(x)])))
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
@@ -17,6 +18,7 @@ from mpsolve.characteristic.free_roots import Roots, roots_over
 from mpsolve.cuts.edge import Edge, beam, edge, sides
 from mpsolve.cuts.entries import Parts, of_one, of_two
 from mpsolve.cuts.model import ROUNDING, Model, model_of
+from mpsolve.numbers.arrays import Complexes, Integers, Reals, Truths
 from mpsolve.numbers.forms import Forms
 from mpsolve.numbers.jets import TINY, UP, U
 from mpsolve.numbers.quadratic import Quadratic, constant, joined, lifted, pairs
@@ -115,13 +117,19 @@ class EdgeMatrix:
             return sane & found.good.all(1) & _off_axis([model_of(found.P[:, n]) for n in (1, 2)])
 
     @cached_property
-    def _span(self) -> list[Any]:
+    def _span(self) -> list[Fraction]:
         """The places at the ring's point."""
         return [place.at(self.family.ring.point) for place in self.family.places]
 
     def _meeting(
-        self, cubic: Quadratic, z: Any, wave: tuple[Model, Model, Model, Model], at: Edge, own: Quadratic, rows: Any
-    ) -> tuple[Any, Any, Any]:
+        self,
+        cubic: Quadratic,
+        z: Complexes,
+        wave: tuple[Model, Model, Model, Model],
+        at: Edge,
+        own: Quadratic,
+        rows: Integers,
+    ) -> tuple[Complexes, Reals, Truths]:
         """(A's coefficients, its remainders, where it is good) where a′ and b′ may meet: c ± √w, a third variable."""
         p, EI, v, N = (model_of(x[rows]) for x in wave)
         z_, lean, sigma, *terms = (model_of(x[rows]) for x in (at.z, at.lean, at.sigma, *at.cubic))
@@ -159,7 +167,7 @@ class EdgeMatrix:
         A = border.matrix(f, joined([x[:, None] for x in given(parts)]), joined)
         return A.k, A.e
 
-    def off_the_cut(self, boxes: Boxes, waves: list[Quadratic]) -> tuple[Any, Any]:
+    def off_the_cut(self, boxes: Boxes, waves: list[Quadratic]) -> tuple[Complexes, Reals]:
         """(A's coefficients, its remainders) over boxes of (q̂, x̂), from models of a, b, a′ and b′ there."""
         y, rho = boxes.variables
         all_ = self._forms[0](y, rho)
@@ -180,7 +188,7 @@ class EdgeMatrix:
             return wrong | (-at.z.a.real > at.z.spread)
 
 
-def _with_one_more(k: Any, e: Any) -> tuple[Any, Any]:
+def _with_one_more(k: Any, e: Reals) -> tuple[Complexes, Reals]:
     """Matrices with one more row and column, those of the identity."""
     n = e.shape[1]
     k = np.pad(k, ((0, 0), (0, 0), (0, 1), (0, 1)))

@@ -8,11 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Complexes, Reals, Truths
 from mpsolve.problem.family import Family
+
+if TYPE_CHECKING:
+    from mpsolve.numbers.several import Several
 
 
 @dataclass(frozen=True)
@@ -25,7 +29,7 @@ class Edge:
     cubic: Sequence[Any]
 
 
-def beam(family: Family) -> list[Any]:
+def beam(family: Family) -> list[Several]:
     """EI, T, k, m, c, v and the numerator as polynomials in the parameters."""
     zero = family.ring.constant(0)
     D = family.D_rest
@@ -46,7 +50,7 @@ def edge(p: Any, coefficients: Sequence[Any], root: Callable[[Any, Any], Any]) -
     return Edge(z, lean, z.times(1j) + -eta, cubic)
 
 
-def sides(cubic: Any, p: Any, z: Any, v: Any, side: int) -> tuple[Any, Any]:
+def sides(cubic: Reals, p: Reals, z: Reals, v: Any, side: int) -> tuple[Complexes, Truths]:
     """In floats, by rows: (the roots r of b, a′, b′, whether they are real).
 
     side −1: the edge seen from below, where upper real p-roots have dz/dp < 0; +1: from above.

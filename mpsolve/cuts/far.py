@@ -8,7 +8,6 @@ the waves follows, and with it that Δ ≠ 0 beyond: below the cut, and above it
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Any
 
 from mpsolve.characteristic.free_proved import value_at
 from mpsolve.cuts.edge import beam
@@ -64,11 +63,11 @@ def _gap(family: Family) -> float:
     return min((outward(gap, up=False) for gap in gaps), default=0.0)
 
 
-def _coefficients(family: Family) -> list[Any]:
+def _coefficients(family: Family) -> list[arb]:
     return [value_at(c, _box(family)).real for c in beam(family)]
 
 
-def _box(family: Family) -> list[Any]:
+def _box(family: Family) -> list[acb]:
     return [acb(rational_ball(a).union(rational_ball(b))) for a, b in family.box]
 
 

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.jets import TINY, UP, U
 from mpsolve.numbers.quadratic import Quadratic, constant
 
@@ -63,7 +64,7 @@ def model_of(f: Quadratic) -> Model:
     return Model(f.k, f.e, f.m)
 
 
-def _quotient(w: Any) -> tuple[Any, Any, Any]:
+def _quotient(w: Complexes) -> tuple[Complexes, Complexes, Complexes]:
     """E, E′, E″ at complex floats."""
     small = np.abs(w) < 1
     far = np.where(small, 1.0, w)

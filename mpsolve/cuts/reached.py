@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from flint import arb
+
 from mpsolve.cuts.balls import InPlane
 from mpsolve.cuts.far import far_reach, wavenumber_of
 from mpsolve.cuts.search import Found, Search
@@ -26,11 +28,11 @@ class Reached:
     p: of the wave that is real there; drift: about dp/dx̂, Im p > 0 on the sheet; search: of the side of the cut.
     """
 
-    x: Any
+    x: arb
     q: Any
     side: str
     appears: bool
-    p: Any
+    p: arb
     drift: complex
     search: Search
 

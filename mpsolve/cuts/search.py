@@ -14,6 +14,7 @@ import numpy as np
 from mpsolve.cuts.balls import EdgeBalls, InPlane
 from mpsolve.cuts.boxes import EdgeMatrix
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.balls import arb, precision
 from mpsolve.numbers.reduction import Reduction
 from mpsolve.outcome import Reason
@@ -37,9 +38,9 @@ _SIZE = 2.0**-6  # of half the whole: where a zero is looked for round a point
 class Found:
     """A zero: balls of p and x̂, and the box (p, x̂) in which it is the only one."""
 
-    p: Any
-    x: Any
-    box: tuple[Any, Any]
+    p: arb
+    x: arb
+    box: tuple[arb, arb]
 
 
 class Search:
@@ -75,10 +76,10 @@ class Search:
                 return cover.reason
         return None
 
-    def _covered(self, low: Any, high: Any, budget: Effort, progress: Progress) -> Covered:
+    def _covered(self, low: Reals, high: Reals, budget: Effort, progress: Progress) -> Covered:
         return subdivide(low, high, self._judged, budget, _SMALLEST, lambda share: progress("boxes", share))
 
-    def _judged(self, low: Any, high: Any) -> tuple[Any, Any]:
+    def _judged(self, low: Reals, high: Reals) -> tuple[Any, Any]:
         kind = np.where(self.matrix.elsewhere(boxes_of(low, high, way=1.0)), ELSEWHERE, 0).astype(np.int8)
         axis = np.zeros(low.shape[1], np.int8)
         rest = np.flatnonzero(kind == 0)
@@ -86,7 +87,7 @@ class Search:
             kind[rest], axis[rest] = self.judge(low[:, rest], high[:, rest])
         return kind, axis
 
-    def _enclose(self, point: Any, half: Any) -> bool:
+    def _enclose(self, point: Reals, half: Reals) -> bool:
         if any((np.abs(point - other) < 8 * half).all() for other in self._failed):
             return False
         size = self.judge.width * _SIZE
@@ -106,7 +107,7 @@ class Search:
         self.found.append(zero)
         return True
 
-    def _zero(self, point: Any, size: Any) -> Found:
+    def _zero(self, point: Reals, size: Any) -> Found:
         goal = math.ceil(self.digits * math.log2(10)) + 10
 
         def proved(_: int) -> Found:

@@ -13,7 +13,7 @@ class Sloped:
     """A ball of a function and balls of its slopes."""
 
     value: Any
-    slopes: tuple[Any, ...]
+    slopes: tuple[acb, ...]
 
     def __neg__(self) -> Sloped:
         return Sloped(-self.value, tuple(-d for d in self.slopes))
@@ -25,7 +25,7 @@ class Sloped:
         pairs = zip(self.slopes, other.slopes, strict=True)
         return Sloped(self.value * other.value, tuple(self.value * b + a * other.value for a, b in pairs))
 
-    def _through(self, value: Any, rate: Any) -> Sloped:
+    def _through(self, value: Any, rate: acb) -> Sloped:
         return Sloped(value, tuple(rate * d for d in self.slopes))
 
     def times(self, factor: complex) -> Sloped:
@@ -47,7 +47,7 @@ class Sloped:
         return self._through(*quotient(self.value))
 
 
-def quotient(w: Any) -> tuple[Any, Any]:
+def quotient(w: acb) -> tuple[acb, acb]:
     """Balls of E(w) = (eʷ − 1)/w and of E′(w); by Taylor's series next to 0, where |remainder| ≤ |w|ⁿ e^|w|/n!."""
     size = arb(w.abs_upper())
     if not size < 1:

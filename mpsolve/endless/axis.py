@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.endless.bloch import Bloch
+from mpsolve.numbers.arrays import Complexes, Reals
 
 _POINTS = 1200
 _ZOOMS, _ZOOM = 6, 41
@@ -33,7 +34,7 @@ def gains(bloch: Bloch, most: float) -> tuple[Gain, Gain]:
     return _largest(bloch, most, 0), _largest(bloch, most, 1)
 
 
-def _factors(bloch: Bloch, q: Any, back: int) -> tuple[Any, Any]:
+def _factors(bloch: Bloch, q: Any, back: int) -> tuple[Reals, Complexes]:
     z = bloch.middle(1j * np.asarray(q))[back]
     return (1 / np.abs(z) if back else np.abs(z)), z
 

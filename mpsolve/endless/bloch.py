@@ -17,10 +17,11 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.bordering import Bordering
-from mpsolve.characteristic.floats import Receptance
+from mpsolve.characteristic.floats import Receptance, det_and_slope
 from mpsolve.characteristic.receptance import Coefficients, Terms
 from mpsolve.endless.lattice import Lattice
 from mpsolve.endless.row import Row
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.float64 import Float64
 
 _K = Float64()
@@ -53,16 +54,13 @@ class Bloch:
         all_ = Coefficients(*rows).terms(z)
         return [Terms(*(part[:, k] for part in (all_.z, all_.w, all_.a, all_.b))) for k in range(z.shape[1])]
 
-    def delta(self, sigma: Any, z: Any) -> tuple[Any, Any]:
+    def delta(self, sigma: Any, z: Complexes) -> tuple[Complexes, Complexes]:
         """Δ̂(z, σ) and its slope in σ; σ and z arrays of one shape."""
         sigma, z = np.atleast_1d(np.asarray(sigma, complex)), np.atleast_1d(np.asarray(z, complex))
         lattice = Lattice(self.border.distances, self.row.step)
         with np.errstate(all="ignore"):
             G, slopes = lattice.sums(self.terms(sigma), self.upper, z, float, np.exp)
-            A = self.border.at(_K, sigma, G)
-            value = np.linalg.det(A)
-            turned = np.linalg.solve(A, self.border.slope_at(_K, sigma, G, slopes))
-        return value, value * turned.trace(axis1=-2, axis2=-1)
+            return det_and_slope(self.border.at(_K, sigma, G), self.border.slope_at(_K, sigma, G, slopes))
 
     def scatterer(self, sigma: Any) -> Any:
         """S with [a'; b'] = S [a; b], shape (len(σ), n, n), n p-roots, the upper ones first."""
@@ -85,7 +83,7 @@ class Bloch:
         own = np.exp(np.where(ahead, P, -P) * d)
         return own[:, :, None] * np.eye(P.shape[1]) + given @ forces
 
-    def multipliers(self, sigma: Any) -> Any:
+    def multipliers(self, sigma: Any) -> Complexes:
         """The roots z of Δ̂(·, σ), ascending in modulus, shape (len(σ), n).
 
         Those of modulus far from 1, beyond 1e±12, are known to be so, but not to many digits.

@@ -16,6 +16,7 @@ from mpsolve.endless.lattice import first_force
 from mpsolve.endless.row import Row
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Complexes, Integers, Reals, Truths
 from mpsolve.numbers.jets import Jet, U, joined, nearest
 from mpsolve.proof.definite import positive
 from mpsolve.proof.effort import Effort
@@ -40,13 +41,13 @@ class LatticeArrays(Arrays):
     def of(row: Row) -> LatticeArrays:
         return LatticeArrays(row.reduced, row.step)
 
-    def evaluate(self, m: Any, r: Any, up: int, nodes: Any = None) -> tuple[Splittings, Jet, Any]:
+    def evaluate(self, m: Complexes, r: Reals, up: int, nodes: Any = None) -> tuple[Splittings, Jet, Truths]:
         """(splittings, Ĝ(1, σ) between the places as jets, where it is bounded)."""
         s = split(self.D, m, r, up, nodes)
         G, good, _ = self.on_arcs(s, np.ones(len(m), complex), np.zeros(len(m)))
         return s, G, good
 
-    def on_arcs(self, s: Splittings, z: Any, off: Any) -> tuple[Jet, Any, Any]:
+    def on_arcs(self, s: Splittings, z: Complexes, off: Reals) -> tuple[Jet, Truths, Truths]:
         """(Ĝ for all z of the circle within `off` of the given ones, where bounded, where p-roots are told apart)."""
         with np.errstate(all="ignore"):
             weight, P, told = waves(self.N, self.D, s)
@@ -54,7 +55,7 @@ class LatticeArrays(Arrays):
         good = told & np.isfinite(jet.e).all(1) & np.isfinite(jet.a).all(1)
         return jet[:, self.distances[1]], good, told
 
-    def _sums(self, weight: Jet, P: Jet, up: int, z: Any, off: Any) -> Jet:
+    def _sums(self, weight: Jet, P: Jet, up: int, z: Complexes, off: Reals) -> Jet:
         """Ĝ at each distance (lattice.py), shape (discs, distances)."""
         places = self.reduced.places
         exact = sorted({a - b for a in places for b in places})
@@ -80,7 +81,7 @@ class LatticeArrays(Arrays):
         return total
 
 
-def _constant(z: Any, off: Any, like: Jet) -> Jet:
+def _constant(z: Complexes, off: Reals, like: Jet) -> Jet:
     shape = like.a.shape
     return Jet(
         np.broadcast_to(z[:, None], shape),
@@ -101,7 +102,7 @@ def covered(test: Test, effort: Effort) -> int:
     """
     whole = np.array([1.0, 2 * ROUND])
 
-    def judge(low: Any, high: Any) -> tuple[Any, Any]:
+    def judge(low: Reals, high: Reals) -> tuple[Any, Integers]:
         passed, axis = test(low, high)
         narrow = (high - low <= _SMALLEST * whole[:, None])[axis, np.arange(len(axis))]
         for k in np.flatnonzero(~passed & narrow)[:1]:
@@ -126,7 +127,7 @@ class Boxes:
         """judged(m, r, G, piece) → (which pass, how much σ moves, what the rest is); piece: from start to end."""
         way = end - start
 
-        def test(low: Any, high: Any) -> tuple[Any, Any]:
+        def test(low: Reals, high: Reals) -> tuple[Truths, Integers]:
             a, b = start + low[0] * way, start + high[0] * way
             m, r = discs(a, b)
             middle, half = (low[1] + high[1]) / 2, (high[1] - low[1]) / 2
@@ -141,7 +142,7 @@ class Boxes:
     def regular(self, start: complex, end: complex) -> Test:
         """A test: Δ̂(z, σ) ≠ 0 on the whole box."""
 
-        def judged(m: Any, r: Any, G: Jet, _: Any) -> tuple[Any, Any, Any]:
+        def judged(m: Complexes, r: Reals, G: Jet, _: Complexes) -> tuple[Truths, Reals, Reals]:
             A = self.arrays.matrix(G, m)
             found = regular(A)
             by_sigma = (np.abs(found.R @ A.b) * r[:, None, None]).sum((1, 2))
@@ -152,7 +153,7 @@ class Boxes:
     def passive(self, start: complex, end: complex) -> Test:
         """A test: σĜ has a positive definite Hermitian part on the whole box."""
 
-        def judged(m: Any, r: Any, G: Jet, piece: Any) -> tuple[Any, Any, Any]:
+        def judged(m: Complexes, r: Reals, G: Jet, piece: Complexes) -> tuple[Truths, Reals, Reals]:
             sigma = Jet(m[:, None, None], np.ones((len(m), 1, 1), complex), np.zeros((len(m), 1, 1)), r)
             V = sigma * G
             fine = positive(V, 1j * piece / np.abs(piece), 64 * U * (np.abs(m) + r))
@@ -161,7 +162,7 @@ class Boxes:
         return self._test(start, end, judged)
 
 
-def _axis(low: Any, high: Any, by_sigma: Any, by_rest: Any, told: Any) -> Any:
+def _axis(low: Reals, high: Reals, by_sigma: Reals, by_rest: Reals, told: Truths) -> Integers:
     """Along what to halve: θ where the rest is larger than what σ moves, and arcs are not already the finer part.
 
     Where the p-roots are not told apart only shorter pieces help.

@@ -13,6 +13,7 @@ import numpy as np
 
 from mpsolve.characteristic.floats import Floats
 from mpsolve.endless.bloch import Bloch
+from mpsolve.numbers.arrays import Complexes, Reals
 
 _POINTS = 800
 _STEP = 0.5  # of each part of the argument: larger ones make a count unsafe
@@ -29,9 +30,9 @@ class Piece:
     turns 16 times as fast as one vehicle at a resonance of that vehicle: only the parts tell by how much.
     """
 
-    S: Any
+    S: Complexes
     size: Any
-    turns: tuple[tuple[Any, int], ...]
+    turns: tuple[tuple[Reals, int], ...]
 
     @property
     def turn(self) -> Any:
@@ -101,5 +102,5 @@ def growing_in_floats(bloch: Bloch, count: int, reach: float, depth: float) -> i
     return round(-float(times @ steps.sum(1)) / np.pi)
 
 
-def _steps(parts: Any) -> Any:
+def _steps(parts: Reals) -> Any:
     return np.angle(np.exp(1j * np.diff(parts, axis=1)))

@@ -21,6 +21,7 @@ from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.characteristic.free_receptance import Receptances, grown, may_meet
 from mpsolve.characteristic.free_roots import Roots, roots_over
 from mpsolve.endless.lattice import first_force
+from mpsolve.numbers.arrays import Complexes, Integers, Reals, Truths
 from mpsolve.numbers.jets import TINY, UP, U, exponential, nearest
 from mpsolve.numbers.quadratic import Quadratic, constant, joined, lifted
 from mpsolve.problem.family import Family
@@ -44,7 +45,7 @@ class FreeRow:
         return tuple(place.at(self.family.ring.point) for place in self.family.places)
 
     @cached_property
-    def distances(self) -> tuple[tuple[Fraction, ...], Any]:
+    def distances(self) -> tuple[tuple[Fraction, ...], Integers]:
         """(the different distances, for each pair of places the number of its own)."""
         exact = sorted({a - b for a in self.places for b in self.places})
         return tuple(exact), np.array([[exact.index(a - b) for b in self.places] for a in self.places])
@@ -89,7 +90,7 @@ class RowReceptance:
             good = np.isfinite(e).all(1) & np.isfinite(k).all((0, 2))
             return Receptances(Quadratic(k, e, m)[:, which], good, strain)
 
-    def _sides(self) -> list[tuple[bool, Any, list[tuple[Fraction, int]]]]:
+    def _sides(self) -> list[tuple[bool, Truths, list[tuple[Fraction, int]]]]:
         """(whether they decay ahead, which roots, for each distance the first force of the series) of each side."""
         own = np.arange(self.row.family.degree) < self.track.up
         sides = [(True, own), (False, ~own)]
@@ -134,7 +135,7 @@ class RowReceptance:
         return joined([_total(column)[:, None] for column in columns], -1)
 
     @staticmethod
-    def _factor(exponent: Any, turn: Quadratic) -> Quadratic:
+    def _factor(exponent: Complexes, turn: Quadratic) -> Quadratic:
         """1/(1 − e^{exponent}·turn) at points that are rounded."""
         value, lost = exponential(exponent)
         k = np.zeros((len(turn.k), *value.shape), complex)
@@ -170,7 +171,7 @@ def one_less(ratio: Quadratic) -> Quadratic:
     return Quadratic(k, (ratio.e + 4 * U * np.abs(k).sum(0)) * UP + TINY, ratio.m)
 
 
-def _moved(roots: Roots, up: int, boxes: Boxes, step: float, gap: float) -> Any:
+def _moved(roots: Roots, up: int, boxes: Boxes, step: float, gap: float) -> Reals:
     """In floats: how far each variable moves the sum, at most, for any root: 1/(1 − e^{Pd}/z) relative to itself, and
     θ what comes from the next vehicle, over the gap to it."""
     sign = np.where(np.arange(roots.P.a.shape[1]) < up, 1, -1)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from flint import acb_mat
 
 from mpsolve.characteristic.proved import Proved
 from mpsolve.endless.axis import gains
@@ -45,11 +46,11 @@ class Growing(Portable):
 class RowProved(Proved):
     """Δ̂(z, σ) of a row in balls, at one z (a ball on the unit circle), at the precision that is set."""
 
-    def __init__(self, row: Row, z: Any) -> None:
+    def __init__(self, row: Row, z: acb) -> None:
         super().__init__(row.reduced)
         self.row, self.z = row, z
 
-    def matrices(self, sigma: Any, slope: bool = True, mean: bool = True) -> tuple[Any, Any]:  # noqa: ARG002
+    def matrices(self, sigma: Any, slope: bool = True, mean: bool = True) -> tuple[acb_mat, acb_mat | None]:  # noqa: ARG002
         """A(σ) and A'(σ) with the receptance of the row in the place of that of the track."""
         sigma = acb(sigma)
         split = self.splitting(sigma)

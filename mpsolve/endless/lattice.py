@@ -15,9 +15,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from mpsolve.characteristic.receptance import Terms
+
+if TYPE_CHECKING:
+    from mpsolve.numbers.arrays import Complexes
 
 
 @dataclass(frozen=True)
@@ -39,7 +42,7 @@ class Lattice:
         slopes = [sum((part[j][1] for part in parts[1:]), parts[0][j][1]) for j in range(len(self.distances))]
         return G, slopes
 
-    def _root(self, term: Terms, ahead: bool, z: Any, number: Any, exp: Any) -> list[tuple[Any, Any]]:
+    def _root(self, term: Terms, ahead: bool, z: Any, number: Any, exp: Any) -> list[tuple[Complexes, Complexes]]:
         """What one root gives to each sum and its slope: forces behind of a place, or ahead of it."""
         step = self.spacing if ahead else -self.spacing
         ratio = exp(term.z * number(step)) * (1 / z if ahead else z)

@@ -47,7 +47,7 @@ class LongTrains:
     near: complex
 
 
-def cell(row: Row, sigma: Any) -> Any:
+def cell(row: Row, sigma: Any) -> acb_mat:
     """T over a ball of σ; PrecisionError where the vehicle alone, or what reaches through it, may vanish."""
     proved = Proved(row.reduced, eliminate=False)
     split = proved.splitting(sigma)
@@ -78,7 +78,7 @@ def cell(row: Row, sigma: Any) -> Any:
     return acb_mat(top + [[*p, *q] for p, q in zip((-low).tolist(), over.tolist(), strict=True)])
 
 
-def roots_of(row: Row, sigma: Any) -> tuple[list[Any], Any, int]:
+def roots_of(row: Row, sigma: Any) -> tuple[list[acb], acb_mat, int]:
     """(z as balls, ascending in modulus at the middle, R with its columns in this order, n₊)."""
     T = cell(row, sigma)
     try:
@@ -130,7 +130,7 @@ def holds(row: Row, one: Any, other: Any) -> bool:
     return {_sign(row, one, x, y), _sign(row, other, x, y)} == {-1, 1}
 
 
-def _sign(row: Row, sigma: Any, x: Any, y: Any) -> int | None:
+def _sign(row: Row, sigma: Any, x: acb, y: Any) -> int | None:
     """Of |x| − |y| at σ, x and y in the balls given, which do not meet."""
     z, _, _ = roots_of(row, sigma)
     here = [[a for a in z if a.overlaps(ball)] for ball in (x, y)]
@@ -140,13 +140,13 @@ def _sign(row: Row, sigma: Any, x: Any, y: Any) -> int | None:
     return 1 if a > b else -1 if a < b else None
 
 
-def _ends(row: Row, q: float) -> tuple[Any, Any] | None:
+def _ends(row: Row, q: float) -> tuple[acb, acb] | None:
     """Two exact points with Re σ > 0, next to iq and to each other: |x| < |y| at one, > at the other, it seems."""
     start = acb(q * _RIGHT, q)
     z, _, up = roots_of(row, start)
     x, y = z[up - 1].mid(), z[up].mid()
 
-    def sign(share: Any) -> bool:
+    def sign(share: acb) -> bool:
         """Whether the one that is next to x is the larger one; in floats of many bits."""
         z, _, up = roots_of(row, start + acb(0, q) * share)
         a, b = z[up - 1].mid(), z[up].mid()

@@ -12,6 +12,7 @@ from mpsolve.characteristic.discs import split
 from mpsolve.characteristic.path import discs
 from mpsolve.characteristic.residues import waves
 from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.numbers.arrays import Complexes, Reals, Truths
 from mpsolve.numbers.jets import UP, Jet
 from mpsolve.outcome import Reason
 from mpsolve.proof.effort import Effort
@@ -44,7 +45,7 @@ class Ratio:
     source: int
     target: int
 
-    def jets(self, a: Any, b: Any) -> tuple[Jet, Any]:
+    def jets(self, a: Any, b: Any) -> tuple[Jet, Truths]:
         """The ratio as jets over discs that hold the pieces from a to b, and where it is proved."""
         m, r = discs(a, b)
         with np.errstate(all="ignore"):
@@ -55,7 +56,7 @@ class Ratio:
         fine = good & regular & self._on_their_sides(m, r) & np.isfinite(ratio.a) & np.isfinite(ratio.e)
         return ratio, fine
 
-    def _on_their_sides(self, m: Any, r: Any) -> Any:
+    def _on_their_sides(self, m: Complexes, r: Reals) -> Any:
         """Whether the p-roots of U are proved to decay ahead, and those of L to grow, so that U and L are what they
         are to be: no p-root is real for Re σ ≥ 0 (the premise), and so none has changed sides."""
         _, P, good = waves(self.arrays.N, self.arrays.D, split(self.arrays.D, m, r, self.up))

@@ -15,6 +15,7 @@ from mpsolve.endless.boxes import ROUND
 from mpsolve.endless.free_row import WIDE, RowMatrix
 from mpsolve.endless.row import Row
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.quadratic import by_variable
 from mpsolve.passivity.decay import edges, vanishes
 from mpsolve.passivity.far import far
@@ -46,7 +47,7 @@ class RowScope:
         own = Scope(self.family)
         return float(own.low[0]), float(own.high[0])
 
-    def corners(self, top: float) -> tuple[Any, Any]:
+    def corners(self, top: float) -> tuple[Reals, Reals]:
         """Of the box in (q̂, v̂, θ) up to v̂ = top."""
         return np.array([0.0, self.ends[0], -ROUND]), np.array([self.X, top, ROUND])
 
@@ -90,7 +91,7 @@ class RowJudge:
     """
 
     matrix: RowMatrix
-    width: Any
+    width: Reals
 
     def __call__(self, low: Any, high: Any) -> tuple[Any, Any]:
         boxes = boxes_of(low, high)
@@ -113,7 +114,7 @@ class RowJudge:
         kind = np.where(s.good & verdict.nonzero, NONZERO, 0).astype(np.int8)
         return kind, self._axis(boxes, G, s, weight)
 
-    def _axis(self, boxes: Boxes, G: Receptances, s: Scalar, weight: Any) -> Any:
+    def _axis(self, boxes: Boxes, G: Receptances, s: Scalar, weight: Reals) -> Any:
         """What stands most against the test.
 
         Where the determinant is not bounded, it is what moves the matrix and the p-roots most; next to a resonance of

@@ -7,16 +7,18 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Reals
+
 
 @dataclass(frozen=True)
 class Answer:
     """At the times watched: rail (p, t), vehicle (size, t), force (n, t); forces (n, nodes) at nodes of the steps."""
 
-    rail: Any
-    vehicle: Any
-    force: Any
-    nodes: Any
-    forces: Any
+    rail: Reals
+    vehicle: Reals
+    force: Reals
+    nodes: Reals
+    forces: Reals
 
     def change(self, other: Answer) -> tuple[float, float, float]:
         pairs = ((self.rail, other.rail), (self.vehicle, other.vehicle), (self.force, other.force))
@@ -49,11 +51,11 @@ class Answer:
         return min(falls, default=None)
 
 
-def _largest(rows: Any) -> float:
+def _largest(rows: Reals) -> float:
     return float(np.max(np.abs(rows), initial=0.0))
 
 
-def hermite(nodes: Any, values: Any, slopes: Any, times: Any) -> Any:
+def hermite(nodes: Reals, values: Any, slopes: Reals, times: Reals) -> Any:
     """The piecewise cubic with these values and slopes (rows, nodes) at the nodes; (rows, times)."""
     i = np.clip(np.searchsorted(nodes, times, side="right") - 1, 0, len(nodes) - 2)
     h = nodes[i + 1] - nodes[i]

@@ -16,6 +16,7 @@ from mpsolve.errors import InputError
 from mpsolve.finite.answer import Answer
 from mpsolve.finite.case import FEWEST_STEPS, MOST_STEPS, MOST_WORK, positive, share
 from mpsolve.finite.case import Case as Track
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.exact import Number
 from mpsolve.numbers.float_list import checked_times, float_list
 from mpsolve.numbers.model import whole
@@ -65,11 +66,11 @@ class BeamResponse:
     start: distance of the first mass from the left support at τ = 0; length, modes, steps: the figures used.
     """
 
-    tau: Any
-    displacement: Any
-    contact_forces: Any
-    xi: Any
-    shape: Any
+    tau: Reals
+    displacement: Reals
+    contact_forces: Reals
+    xi: Reals
+    shape: Reals
     start: float
     length: float
     modes: int
@@ -156,7 +157,7 @@ class _Beam:
     """
 
     def __init__(
-        self, case: Case | PhysicalCase, loads: tuple[Load, ...], tau: Any, xi: Any, tolerance: Any, fixed: Any
+        self, case: Case | PhysicalCase, loads: tuple[Load, ...], tau: Any, xi: Any, tolerance: float, fixed: Any
     ) -> None:
         ratios = case.dimensionless if isinstance(case, PhysicalCase) else case
         moved = tuple(x - ratios.positions[0] for x in ratios.positions)

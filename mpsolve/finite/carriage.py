@@ -8,12 +8,15 @@ H = diag(h) + B₀ᵀK₀₀⁻¹B₀.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.linear import completed, congruent, image, kernel, units
 from mpsolve.vehicles.vehicle import Pencil
 
@@ -26,22 +29,22 @@ class Carriage:
     fixed (size, …): the directions of the coordinates that were eliminated.
     """
 
-    M: Any
-    C: Any
-    K: Any
+    M: Reals
+    C: Reals
+    K: Reals
     B: Any
-    H: Any
+    H: Reals
     second: int
-    motion: Any
-    give: Any
-    fixed: Any
+    motion: Reals
+    give: Reals
+    fixed: Reals
 
     @property
     def first(self) -> int:
         """How many coordinates have no mass but damping."""
         return len(self.M) - self.second
 
-    def force(self, g: Any) -> Any:
+    def force(self, g: Reals) -> Reals:
         """The force g on y as one on the kept coordinates; InputError where it meets neither mass nor damper."""
         if np.any(self.fixed.T @ g):
             stated = "act on a coordinate without mass and damping, which would jump"
@@ -78,5 +81,5 @@ def carriage(pencil: Pencil) -> Carriage:
     return Carriage(_floats(M), _floats(C), Kf, Bf, H, len(heavy), motion, give, fixed)
 
 
-def _floats(rows: Any) -> Any:
+def _floats(rows: Sequence[Sequence[Fraction]]) -> Reals:
     return np.array([[float(x) for x in row] for row in rows], float).reshape(len(rows), -1)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from mpsolve.finite.carriage import Carriage, carriage
 from mpsolve.finite.discretization import compliance_beyond, discretized
 from mpsolve.finite.exponentials import exponentials
 from mpsolve.finite.march import Motion, Setting, march
+from mpsolve.numbers.arrays import Integers, Reals
 from mpsolve.numbers.float_list import float_list
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.problem import Problem
@@ -22,6 +24,9 @@ from mpsolve.proof.effort import Effort
 from mpsolve.tracks.at_rest import Status, at_rest
 from mpsolve.vehicles.loads import outer_forces
 from mpsolve.vibration.forcing import checked_irregularities
+
+if TYPE_CHECKING:
+    from mpsolve.vehicles.load import Load
 
 FEWEST_STEPS = 16
 MOST_STEPS = 1_000_000
@@ -39,13 +44,13 @@ class Case:
 
     def __init__(
         self,
-        problem: Any,
-        loads: Any,
-        length: Any,
-        times: Any,
-        places: Any,
+        problem: Problem,
+        loads: Sequence[Load],
+        length: float,
+        times: Reals,
+        places: Reals,
         start: Any,
-        tolerance: Any,
+        tolerance: float,
         steady: bool = False,
         unilateral: bool = False,
         irregularities: Any = None,
@@ -73,13 +78,13 @@ class Case:
             raise InputError("unilateral", "asks for contacts that open, but one is tight: give every k_contact")
 
     @cached_property
-    def watched(self) -> Any:
+    def watched(self) -> Reals:
         """The times, and where they are few some more before the last one."""
         more = self.duration * np.arange(ENOUGH // 2, ENOUGH) / ENOUGH
         return np.union1d(self.times, more if len(self.times) < ENOUGH else [])
 
     @property
-    def asked(self) -> Any:
+    def asked(self) -> Integers:
         """Where the times are among those watched."""
         return np.searchsorted(self.watched, self.times)
 
@@ -165,7 +170,7 @@ class Case:
         return Answer(rail, self.carriage.motion @ kept - self.carriage.give @ force, force, nodes, values)
 
 
-def _intervals(times: Any) -> int:
+def _intervals(times: Reals) -> int:
     """Of how many equal parts of 0 to the last time every time is an end; 1 where of none, or of too many."""
     shares = times / times[-1]
     count = max(1, round(1 / np.diff(shares, prepend=0.0)[shares > 0].min()))
@@ -173,7 +178,7 @@ def _intervals(times: Any) -> int:
     return count if count <= MOST_INTERVALS and np.abs(places - np.round(places)).max() < 1e-9 * count else 1
 
 
-def _ascending(times: Any) -> Any:
+def _ascending(times: Reals) -> Reals:
     found = float_list(times, "times")
     if not found.size or found[0] < 0 or found[-1] <= 0 or np.any(np.diff(found) <= 0):
         raise InputError("times", "is not an ascending list of times from 0 on: give at least one time above 0")

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.finite.carriage import Carriage
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.float64 import Float64
 from mpsolve.vehicles.loads import Outer
 from mpsolve.vibration.forcing import Irregularity
@@ -30,12 +31,12 @@ class VehicleTables:
     """
 
     start: Any
-    advance: Any
-    entry: Any
-    history: Any
-    gain: Any
-    rate: Any
-    rate_force: Any
+    advance: Reals
+    entry: Reals
+    history: Reals
+    gain: Reals
+    rate: Reals
+    rate_force: Reals
 
 
 def vehicle_tables(vehicle: Carriage, outer: Outer, h: float) -> VehicleTables:
@@ -68,12 +69,12 @@ def _slices(N: int, n: int) -> list[tuple[int, int]]:
     return list(pairwise(ends))
 
 
-def _rest(vehicle: Carriage, outer: Outer) -> Any:
+def _rest(vehicle: Carriage, outer: Outer) -> Reals:
     still = np.zeros(len(vehicle.K) + vehicle.second)
     return np.concatenate([still, [1.0], np.sin(outer.phase), np.cos(outer.phase)])
 
 
-def _system(vehicle: Carriage, outer: Outer, h: float) -> tuple[Any, Any, Any, Any]:
+def _system(vehicle: Carriage, outer: Outer, h: float) -> tuple[Reals, Reals, Reals, Reals]:
     """A, E, G, F of the state."""
     r, a, n, terms = len(vehicle.K), vehicle.second, vehicle.H.shape[0], len(outer.constant)
     N = r + a + 1 + 2 * terms
@@ -100,7 +101,7 @@ def _system(vehicle: Carriage, outer: Outer, h: float) -> tuple[Any, Any, Any, A
     return A, E, vehicle.B.T @ A[:r], vehicle.B.T @ E[:r]
 
 
-def rough_rates(rough: Sequence[Irregularity], contacts: int, h: float, steps: int) -> Any:
+def rough_rates(rough: Sequence[Irregularity], contacts: int, h: float, steps: int) -> Reals:
     """∫φ_a dr/dθ over each step of length h, (steps, contacts, a), φ_0 = 1, φ_1 = P₁; r compresses where positive.
 
     In parts: r(1) − r(0), and r(1) + r(0) − 2 ∫r, which is in closed form for r = A sin(ωt + φ).

@@ -12,11 +12,11 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.tracks.waveguide import Matrix, Polynomial, Waveguide, cofactor, determinant
 
 SINE, COSINE = 0, 1
@@ -42,22 +42,22 @@ class Discretization:
     guided: bool = False
 
     @property
-    def wavenumbers(self) -> Any:
+    def wavenumbers(self) -> Reals:
         first = [_NEARLY_0] if self.guided else []
         return np.concatenate([first, np.arange(1, self.modes + 1)]) * (np.pi / self.length)
 
     @property
-    def mass(self) -> Any:
+    def mass(self) -> Reals:
         """The coefficients of s², (J, fields, fields)."""
         return self._coefficient(2)
 
     @property
-    def damping(self) -> Any:
+    def damping(self) -> Reals:
         """The coefficients of s, (J, fields, fields)."""
         return self._coefficient(1)
 
     @property
-    def stiffness(self) -> Any:
+    def stiffness(self) -> Reals:
         """The coefficients of 1, (J, fields, fields)."""
         return self._coefficient(0)
 
@@ -71,7 +71,7 @@ class Discretization:
         """The cofactor of the field under the contacts."""
         return cofactor(self.matrix, self.loaded)
 
-    def _coefficient(self, power: int) -> Any:
+    def _coefficient(self, power: int) -> Reals:
         rows = [[in_s(entry, self.wavenumbers, _HIGHEST)[power] for entry in row] for row in self.matrix]
         return np.moveaxis(np.array(rows), -1, 0)
 
@@ -90,7 +90,7 @@ def discretized(waveguide: Waveguide, length: float, modes: int, guided: bool = 
     return found
 
 
-def compliance_beyond(track: Discretization, velocity: float, away: Any) -> Any:
+def compliance_beyond(track: Discretization, velocity: float, away: Reals) -> Reals:
     """What the modes beyond those of the track give way to constant forces that move, at these distances from them.
 
     Such a mode is stiff, and follows the force as if at rest in the moving frame. Images in the supports are left
@@ -104,7 +104,7 @@ def compliance_beyond(track: Discretization, velocity: float, away: Any) -> Any:
     return np.reshape([np.cos(gap * k) @ give for gap in np.ravel(away)], np.shape(away))
 
 
-def in_s(polynomial: Polynomial, wavenumbers: Any, degree: int) -> Any:
+def in_s(polynomial: Polynomial, wavenumbers: Reals, degree: int) -> Reals:
     """The coefficients of s⁰ … s^degree at each wavenumber, (degree + 1, J)."""
     out = np.zeros((degree + 1, len(wavenumbers)))
     for (i, j), value in polynomial.items():

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.finite.discretization import Discretization, in_s
+from mpsolve.numbers.arrays import Complexes, Reals
 from mpsolve.numbers.wave_tables import Waves
 
 _APART = 1e-5
@@ -25,8 +26,8 @@ class Exponentials:
     """
 
     k: Any
-    rate: Any
-    weight: Any
+    rate: Complexes
+    weight: Complexes
     turn: complex = 1
 
     def waves(self, length: float, velocity: float) -> Waves:
@@ -51,7 +52,7 @@ def exponentials(track: Discretization) -> Exponentials:
     )
 
 
-def _roots(coefficients: Any) -> Any:
+def _roots(coefficients: Reals) -> Complexes:
     """The roots in s of each mode, (J, degree), sharpened by Newton where they stand alone."""
     degree, count = len(coefficients) - 1, coefficients.shape[1]
     scale = np.abs(coefficients[0] / coefficients[-1]) ** (1 / degree)
@@ -72,14 +73,14 @@ def _roots(coefficients: Any) -> Any:
     return z * scale[:, None]
 
 
-def _gaps(z: Any) -> Any:
+def _gaps(z: Complexes) -> Any:
     """The distance from each root to the nearest other one, relative to its size."""
     gap = np.abs(z[:, :, None] - z[:, None, :])
     gap[:, range(z.shape[1]), range(z.shape[1])] = np.inf
     return gap.min(-1) / np.where(z == 0, 1, np.abs(z))
 
 
-def separated(roots: Any) -> Any:
+def separated(roots: Complexes) -> Complexes:
     """The roots, (J, degree) with their conjugates, with those that nearly meet set apart about their middle."""
     z = roots.copy()
     for i in range(z.shape[1]):
@@ -93,7 +94,7 @@ def separated(roots: Any) -> Any:
     return z
 
 
-def _residues(lead: Any, numerator: Any, roots: Any) -> Any:
+def _residues(lead: Reals, numerator: Reals, roots: Complexes) -> Any:
     value = np.zeros_like(roots)
     for c in numerator[::-1]:
         value = value * roots + c[:, None]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from mpsolve.errors import EffortError, InputError
 from mpsolve.finite.answer import Answer
@@ -17,6 +17,9 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
 from mpsolve.vibration.forcing import Irregularity
 from mpsolve.vibration.liftoff import Event
+
+if TYPE_CHECKING:
+    from mpsolve.numbers.arrays import Reals
 
 FEWEST_MODES, MOST_MODES = 8, 40_000
 _OPEN = (math.inf, math.inf, math.inf)
@@ -57,11 +60,11 @@ class FiniteTrackMotion:
     force first comes to 0, between steps; without `unilateral` what comes later is beyond the model.
     """
 
-    times: Any
-    places: Any
-    rail: Any
-    vehicle: dict[str, Any]
-    contact_force: Any
+    times: Reals
+    places: Reals
+    rail: Reals
+    vehicle: dict[str, Reals]
+    contact_force: Reals
     error: FiniteTrackError
     start: float
     length: float
@@ -75,7 +78,7 @@ def finite_track(
     problem: Problem,
     loads: Any = None,
     *,
-    length: Any,
+    length: float,
     modes: int,
     times: Any,
     places: Any = None,

@@ -16,6 +16,7 @@ import numpy as np
 from mpsolve.finite.carriage import Carriage
 from mpsolve.finite.coupling import VehicleTables, rough_rates, vehicle_tables
 from mpsolve.finite.exponentials import Exponentials
+from mpsolve.numbers.arrays import Complexes, Reals
 from mpsolve.numbers.wave_tables import wave_tables
 from mpsolve.proof.effort import Effort
 from mpsolve.vehicles.loads import Outer
@@ -40,8 +41,8 @@ class Setting:
     length: float
     vehicle: Carriage
     outer: Outer
-    contacts: Any
-    points: Any
+    contacts: Reals
+    points: Reals
     origin: float
     velocity: float
     duration: float
@@ -107,7 +108,7 @@ class _Contacts:
         self._closed = np.ones(n, bool)
         self.compression = np.zeros(n)
 
-    def forces(self, history: Any, gain: Any, X: Any) -> Any:
+    def forces(self, history: Reals, gain: Reals, X: Reals) -> Any:
         """(n, l), from what the rail and the vehicle bring along."""
         own = np.einsum("ain,n->ia", self._vehicle.history, X)
         past = history - own
@@ -128,7 +129,7 @@ class _Contacts:
             self.compression = after
         return f
 
-    def _solved(self, matrix: Any, past: Any) -> Any:
+    def _solved(self, matrix: Reals, past: Reals) -> Any:
         n = len(past)
         if self._closed.all():
             return np.linalg.solve(matrix.reshape(2 * n, 2 * n), past.ravel()).reshape(2, n).T
@@ -143,8 +144,8 @@ class _Contacts:
 class _Held:
     """The kept coordinates and the contact forces under constant loads that have moved for ever."""
 
-    kept: Any
-    force: Any
+    kept: Reals
+    force: Reals
 
 
 def _steady(setting: Setting, rail: _Rail) -> _Held:
@@ -159,7 +160,7 @@ def _steady(setting: Setting, rail: _Rail) -> _Held:
     return _Held(found[:r], found[r:])
 
 
-def _slope(vehicle: VehicleTables, states: Any, forces: Any) -> Any:
+def _slope(vehicle: VehicleTables, states: Reals, forces: Reals) -> Any:
     """dy/dθ of the kept coordinates at the ends of the steps, (r, s + 1)."""
     ends = np.concatenate([forces[:1, :, 0] - forces[:1, :, 1], forces[..., 0] + forces[..., 1]])
     return vehicle.rate @ states.T + vehicle.rate_force @ ends.T
@@ -192,10 +193,10 @@ class _Rail:
         ahead, behind = self._entry[:, 0]
         return along * ahead / (self._turn - self._decay) + along.conj() * behind / (self._turn.conj() - self._decay)
 
-    def carry(self, waves: Any) -> None:
+    def carry(self, waves: Complexes) -> None:
         self._z = waves
 
-    def under(self, waves: Any) -> Any:
+    def under(self, waves: Complexes) -> Any:
         """The deflection under the contacts, (n,)."""
         return self._phase.imag @ (self._weight * waves).real.sum(0)
 

@@ -27,7 +27,7 @@ from mpsolve.ranges.answer import Interval, Proof, within
 from mpsolve.ranges.crossed import Crossing
 from mpsolve.ranges.scope import Scope
 from mpsolve.spectrum.regions import Below, HalfPlane, Sheet
-from mpsolve.spectrum.spectrum import Spectrum
+from mpsolve.spectrum.spectrum import Root, Spectrum
 from mpsolve.zeros.regions import Rectangle
 
 _BASES = (0.5, 0.375, 0.625, 0.25, 0.75, 0.4375, 0.5625, 0.125, 0.875)
@@ -85,7 +85,7 @@ class Assembly:
             for cover in border.covers
         )
 
-    def in_units(self, one: Passing) -> tuple[Any, Any]:
+    def in_units(self, one: Passing) -> tuple[arb, acb]:
         """(value, q) of a passing in the problem's units."""
         family = self.scope.family
         with precision(max(int(one.x.mid().bits()), 53) + 64):
@@ -216,7 +216,7 @@ class Assembly:
             return LineEnd("collision", *self._met(end))
         return LineEnd("range" if end == "range" else "open")
 
-    def _met(self, end: Meeting) -> tuple[Any, Any]:
+    def _met(self, end: Meeting) -> tuple[arb, acb]:
         """Balls that hold the value and the root at which two roots meet."""
         family = self.scope.family
         with precision(64):
@@ -229,7 +229,7 @@ class Assembly:
         return Crossing(value, q.real, one.gained)
 
 
-def _start(x: float, root: Any, unit: float) -> Start:
+def _start(x: float, root: Root, unit: float) -> Start:
     with precision(64):
         q = root.q / unit
     return Start(x, *disc_of(q), root.symmetry is Symmetry.IMAGINARY)

@@ -6,10 +6,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from flint import arb
 
 from mpsolve.loci.gate import Gate
 from mpsolve.loci.region import Side
 from mpsolve.loci.room import ABOVE, BELOW, GAP
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.balls import acb, precision
 from mpsolve.numbers.plain import disc_of, outward
 from mpsolve.outcome import Reason
@@ -33,7 +35,7 @@ class Passing:
     """
 
     q: Any
-    x: Any
+    x: arb
     gained: int | None
     side: str = ""
     gate: Gate | None = None
@@ -92,7 +94,7 @@ def border_of(scope: Scope, sides: tuple[Side, ...], digits: int, budget: Effort
     return Border(tuple(found), tuple(covers), tuple(known), reason)
 
 
-def _corners(scope: Scope, side: Side) -> tuple[Any, Any]:
+def _corners(scope: Scope, side: Side) -> tuple[Reals, Reals]:
     """Of the box in (y, x̂)."""
     return np.concatenate([[side.low], scope.low]), np.concatenate([[side.high], scope.high])
 

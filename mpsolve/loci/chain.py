@@ -15,6 +15,7 @@ import numpy as np
 from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.loci.room import BELOW, Room
 from mpsolve.loci.tube import Tubes, tubes
+from mpsolve.numbers.arrays import Complexes, Integers, Reals
 from mpsolve.proof.effort import Effort
 
 _LENGTHS = (4.0, 2.0, 1.0, 0.5)  # of the last step: what is tried side by side
@@ -95,7 +96,7 @@ def _shorter(chain: Chain, room: Room) -> None:
         chain.end = "stuck"
 
 
-def _linked(found: Tubes, active: list[Chain], each: Any) -> Any:
+def _linked(found: Tubes, active: list[Chain], each: Integers) -> Any:
     """Which tubes hold the root of their chain."""
     q, radius = (np.array([getattr(chain, name) for chain in active])[each] for name in ("q", "radius"))
     x: Any = np.array([chain.x for chain in active])[each]
@@ -105,7 +106,7 @@ def _linked(found: Tubes, active: list[Chain], each: Any) -> Any:
     return found.holds(q, radius, x) & found.holds(q, radius, ahead) & known & (found.mirrored | ~on_axis)
 
 
-def _candidates(active: list[Chain], room: Room) -> tuple[tuple[Any, Any, Any, Any], Any, Any]:
+def _candidates(active: list[Chain], room: Room) -> tuple[tuple[Reals, Reals, Complexes, Reals], Integers, Integers]:
     """((low, high, middle, ρ) of the boxes, the number of the chain of each, their kinds)."""
     rows, each, kinds = [], [], []
     for k, chain in enumerate(active):
@@ -123,7 +124,7 @@ def _candidates(active: list[Chain], room: Room) -> tuple[tuple[Any, Any, Any, A
     return (columns[0], columns[1], columns[2].astype(complex), columns[3]), np.array(each), np.array(kinds)
 
 
-def _taken(matrix: FreeMatrix, taken: list[tuple[Chain, Tubes, Any]], room: Room, stop: Stop) -> None:
+def _taken(matrix: FreeMatrix, taken: list[tuple[Chain, Tubes, float]], room: Room, stop: Stop) -> None:
     """Moves the chains to the ends of their new tubes, where the roots are enclosed more sharply."""
     ahead = [int(chain.way > 0) for chain, _, _ in taken]
     x = np.array([(tube.high if up else tube.low)[0] for up, (_, tube, _) in zip(ahead, taken, strict=True)])

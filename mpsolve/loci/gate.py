@@ -9,7 +9,7 @@ point is a real p, and there is only one, so that the root is on the sheet up to
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -19,6 +19,10 @@ from mpsolve.cuts.reached import Reached
 from mpsolve.loci.tube import Tubes, tubes
 from mpsolve.numbers.balls import arb, precision
 from mpsolve.numbers.plain import outward
+
+if TYPE_CHECKING:
+    from mpsolve.characteristic.free_receptance import Receptances
+    from mpsolve.numbers.quadratic import Quadratic
 
 _RADII = 2.0 ** -np.arange(2.0, 12.0)  # of |p|
 _LEAN = 3.0  # of the way of p, in its disc
@@ -32,7 +36,7 @@ class _Along:
 
     matrix: EdgeMatrix
 
-    def __call__(self, boxes: Boxes) -> Any:
+    def __call__(self, boxes: Boxes) -> tuple[Quadratic, Receptances]:
         return self.matrix(Boxes(boxes.m, boxes.r, 0.0, 1.0))
 
 

@@ -15,6 +15,7 @@ from mpsolve.loci.gate import Gate
 from mpsolve.loci.meeting import Meeting, beyond, meeting_of
 from mpsolve.loci.room import GAP, Room
 from mpsolve.loci.tube import Tubes
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.outcome import Reason
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
@@ -140,7 +141,7 @@ def strands(
 
 def _through(
     matrix: FreeMatrix, chains: list[Chain], meetings: list[tuple[Meeting, int]], room: Room
-) -> list[tuple[Chain, Any]]:
+) -> list[tuple[Chain, Meeting]]:
     """New chains from the far ends of meetings at which chains are stuck, each with what it begins at."""
     out: list[tuple[Chain, Any]] = []
     for chain in [chain for chain in chains if chain.end == "stuck"]:
@@ -198,7 +199,7 @@ def _side_by_side(rows: list[Tubes]) -> Tubes:
     def joined(name: str) -> Any:
         return np.concatenate([getattr(row, name) for row in rows])
 
-    def both(name: str) -> tuple[Any, Any]:
+    def both(name: str) -> tuple[Complexes, Complexes]:
         return tuple(np.concatenate([getattr(row, name)[k] for row in rows]) for k in (0, 1))  # type: ignore[return-value]
 
     names = ("low", "high", "middle", "slope", "outer", "inner", "good")

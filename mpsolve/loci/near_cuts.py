@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -17,6 +16,7 @@ from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.characteristic.free_receptance import Receptances
 from mpsolve.characteristic.free_roots import roots_over
 from mpsolve.cuts.boxes import EdgeMatrix
+from mpsolve.numbers.arrays import Complexes, Truths
 from mpsolve.numbers.quadratic import Quadratic
 from mpsolve.problem.family import Family
 
@@ -63,7 +63,7 @@ class NearCuts(FreeMatrix):
         return Quadratic(whole, lost, A.m), Receptances(G.G, known, G.strain)
 
 
-def _paired(z: Any) -> tuple[Any, Any]:
+def _paired(z: Complexes) -> tuple[Complexes, Truths]:
     """(the nodes a, a′, b, b′, so that b is next to a or b′ next to a′, where one of them is close)."""
     gap = np.abs(z[:, :2, None] - z[:, None, 2:])
     crossed = np.minimum(gap[:, 0, 1], gap[:, 1, 0]) < np.minimum(gap[:, 0, 0], gap[:, 1, 1])

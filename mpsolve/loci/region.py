@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import nextafter
-from typing import Any
+from typing import TYPE_CHECKING
 
 from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.errors import InputError
@@ -23,6 +23,9 @@ from mpsolve.ranges.scope import Scope
 from mpsolve.spectrum.regions import Below, HalfPlane
 from mpsolve.spectrum.solve import default_height
 from mpsolve.tracks.at_rest import lowest_cut
+
+if TYPE_CHECKING:
+    from mpsolve.problem.problem import Problem
 
 _SHARES = (Fraction(1), Fraction(3, 4), Fraction(1, 2), Fraction(1, 4))
 """Of the height that points of a family show: what is tried where the cuts move with the parameter."""
@@ -115,7 +118,7 @@ def _default(family: Family) -> Fraction:
     return next((whole * share for share in _SHARES if _below_cuts(family, whole * share)), Fraction(0))
 
 
-def _points(family: Family) -> list[Any]:
+def _points(family: Family) -> list[Problem]:
     if not _moving(family):
         return [family.problem]
     return [family.at([a + share * (b - a) for a, b in family.box]) for share in map(Fraction, ("0", "1/2", "1"))]

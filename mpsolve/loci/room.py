@@ -17,7 +17,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from flint import fmpq, fmpq_poly
@@ -28,6 +28,9 @@ from mpsolve.numbers.balls import acb, arb, precision
 from mpsolve.numbers.plain import outward
 from mpsolve.numbers.realroots import is_positive
 from mpsolve.problem.family import Family
+
+if TYPE_CHECKING:
+    from mpsolve.numbers.several import Several
 
 BELOW, GAP, ABOVE = -1, 0, 1
 _SHARES = (1 - 1e-9, 1 - 1e-3, 0.5)  # of the gap in floats: what is tried
@@ -117,7 +120,7 @@ class SheetRoom(Room):
     _gaps: dict[tuple[float, float], float] = field(default_factory=dict, compare=False)
 
     @cached_property
-    def _beam(self) -> list[Any]:
+    def _beam(self) -> list[Several]:
         return beam(self.family)
 
     @cached_property
@@ -132,7 +135,7 @@ class SheetRoom(Room):
             height = c / (2 * m)
             return outward(height, up=False), outward(height, up=True)
 
-    def _at(self, low: float, high: float) -> list[Any]:
+    def _at(self, low: float, high: float) -> list[arb]:
         """EI, T, k, m, c, v and the numerator as balls, for all x̂ between."""
         box = [acb(arb(low).union(arb(high)))]
         return [value_at(part, box).real for part in self._beam]

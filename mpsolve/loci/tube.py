@@ -15,6 +15,7 @@ import numpy as np
 
 from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_matrix import FreeMatrix
+from mpsolve.numbers.arrays import Complexes, Reals, Truths
 from mpsolve.numbers.jets import UP
 from mpsolve.numbers.quadratic import Quadratic
 from mpsolve.proof.vanishing import Scalar, scalar
@@ -32,26 +33,26 @@ class Tubes:
     where the boxes are, as `Room` says, once they are taken.
     """
 
-    low: Any
-    high: Any
+    low: Reals
+    high: Reals
     middle: Any
-    slope: Any
-    outer: Any
-    inner: Any
-    good: Any
-    near: tuple[Any, Any]
-    speed: tuple[Any, Any]
+    slope: Complexes
+    outer: Reals
+    inner: Reals
+    good: Truths
+    near: tuple[Complexes, Complexes]
+    speed: tuple[Complexes, Complexes]
     kind: Any = None
 
     @property
-    def at(self) -> Any:
+    def at(self) -> Reals:
         return self.low / 2 + self.high / 2
 
     def centre(self, x: Any) -> Any:
         """Of the disc at x̂."""
         return self.middle + self.slope * (x - self.at)
 
-    def guess(self, x: float) -> Any:
+    def guess(self, x: float) -> Complexes:
         """About where the root is at x̂: the cubic with the values and slopes at the ends."""
         width = self.high - self.low
         s = (x - self.low) / np.where(width > 0, width, 1.0)
@@ -79,7 +80,7 @@ class Tubes:
         return (2 * away + self.inner) * _LOST < self.outer
 
 
-def scalar_over(matrix: FreeMatrix, middle: Any, rho: Any, at: Any, half: Any) -> Scalar:
+def scalar_over(matrix: FreeMatrix, middle: Any, rho: Reals, at: Reals, half: Reals) -> Scalar:
     """s over boxes: q̂ within `rho` of `middle` (complex), x̂ within `half` of `at`."""
     boxes = Boxes(np.stack([middle, at + 0j]), np.stack([rho, half]).astype(complex))
     with np.errstate(all="ignore"):
@@ -117,7 +118,7 @@ def tubes(matrix: FreeMatrix, low: Any, high: Any, middle: Any, rho: Any) -> Tub
         )  # fmt: skip
 
 
-def _zero(s: Quadratic, u1: float) -> tuple[Any, Any]:
+def _zero(s: Quadratic, u1: float) -> tuple[Complexes, Complexes]:
     """In floats: the zero u₀ of the model near its line at u₁, and du₀/du₁ there."""
     u0 = -(s.a + s.b[1] * u1) / s.b[0]
     for _ in range(4):

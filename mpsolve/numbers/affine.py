@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.jets import TINY, UP, U, nearest
 
 
@@ -23,7 +24,7 @@ class Affine:
     """a: real array; b: by name the array of one slope; e ≥ 0: real array. All are broadcast against each other."""
 
     a: Any
-    b: Mapping[str, Any] = field(default_factory=dict)
+    b: Mapping[str, Reals] = field(default_factory=dict)
     e: Any = 0.0
 
     __array_ufunc__ = None
@@ -52,7 +53,7 @@ class Affine:
     def __neg__(self) -> Affine:
         return Affine(-self.a, {name: -x for name, x in self.b.items()}, self.e)
 
-    def __add__(self, other: Any) -> Affine:
+    def __add__(self, other: Affine) -> Affine:
         if not isinstance(other, Affine):
             other = Affine(np.asarray(other, float))
         a = self.a + other.a
@@ -62,10 +63,10 @@ class Affine:
         size = np.abs(a) + sum(np.abs(x) for x in b.values())
         return Affine(a, b, (self.e + other.e + 2 * U * size) * UP + TINY)
 
-    def __sub__(self, other: Any) -> Affine:
+    def __sub__(self, other: Affine) -> Affine:
         return self.__add__(-other)
 
-    def times(self, factor: Any) -> Affine:
+    def times(self, factor: float) -> Affine:
         """The product with floats that are meant exactly."""
         a, b = self.a * factor, {name: x * factor for name, x in self.b.items()}
         size = np.abs(a) + sum(np.abs(x) for x in b.values())
@@ -101,13 +102,13 @@ class Affine:
             return Affine(c + bend, {name: -x * c * c for name, x in self.b.items()}, np.where(good, e, np.inf))
 
 
-def constant(x: Any) -> Affine:
+def constant(x: Fraction) -> Affine:
     """An exact number, to nearest."""
     value = nearest(x) if isinstance(x, Fraction) else float(x)
     return Affine(np.asarray(value), {}, np.asarray(U * abs(value)))
 
 
-def between(low: Any, high: Any, name: str) -> Affine:
+def between(low: Reals, high: Reals, name: str) -> Affine:
     """The variable that runs from low to high (floats, arrays of one shape)."""
     low, high = np.asarray(low, float), np.asarray(high, float)
     middle = low / 2 + high / 2

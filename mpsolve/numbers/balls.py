@@ -65,7 +65,7 @@ def complex_roots(f: flint.fmpz_poly | flint.fmpq_poly) -> list[tuple[acb, int]]
     return cast("list[tuple[acb, int]]", f.complex_roots())
 
 
-def square(radius: Any) -> Any:
+def square(radius: Any) -> acb:
     """The square ball round 0 that holds the disc of this radius; radius: arb ≥ 0."""
     side = arb(0, radius.upper() if isinstance(radius, arb) else radius)
     return acb(side, side)
@@ -81,17 +81,17 @@ def greatest(values: Iterable[Any]) -> Any:
     return reduce(arb.max, values)
 
 
-def exact_ball(z: complex) -> Any:
+def exact_ball(z: complex) -> acb:
     """A float as an exact complex ball."""
     return acb(z.real, z.imag)
 
 
-def is_exact(z: Any) -> bool:
+def is_exact(z: acb) -> bool:
     """Whether the complex ball is a point."""
     return bool(z.real.is_exact() and z.imag.is_exact())
 
 
-def is_thin(z: Any) -> bool:
+def is_thin(z: acb) -> bool:
     """Whether the ball is a point, or so small that it does not matter how often a formula names it."""
     return is_exact(z) or bool(z.rel_accuracy_bits() > _THIN)
 
@@ -114,19 +114,19 @@ class Balls:
         middle = z.mid()
         return row(acb_poly([middle, 1]))(z - middle)
 
-    def matrix(self, rows: Sequence[Sequence[Any]]) -> Any:
+    def matrix(self, rows: Sequence[Sequence[Any]]) -> acb_mat:
         return acb_mat([list(row) for row in rows]) if len(rows) else acb_mat(0, 0)
 
     def times(self, a: Any, factor: Any) -> Any:
         return a * acb(factor)
 
-    def product(self, a: Any, b: Any) -> Any:
+    def product(self, a: Any, b: acb_mat) -> Any:
         return a * b
 
     def exp(self, a: Any) -> Any:
         return a.exp()
 
-    def solve(self, a: Any, b: Any) -> Any:
+    def solve(self, a: Any, b: acb_mat) -> Any:
         try:
             return a.solve(b)
         except ZeroDivisionError:
@@ -147,5 +147,5 @@ def _number(x: Fraction, bits: int) -> Any:  # noqa: ARG001 — part of the key
 
 
 @lru_cache(maxsize=4096)
-def _row(coefficients: tuple[Fraction, ...], bits: int) -> Any:  # noqa: ARG001 — part of the key
+def _row(coefficients: tuple[Fraction, ...], bits: int) -> acb_poly:  # noqa: ARG001 — part of the key
     return acb_poly([rational_ball(c) for c in coefficients])

@@ -7,7 +7,7 @@ from decimal import ROUND_CEILING, ROUND_FLOOR, localcontext
 from decimal import Decimal as Exactly
 from typing import Any
 
-from flint import fmpq, fmpz
+from flint import arb, fmpq, fmpz
 
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
@@ -23,9 +23,9 @@ class Decimal:
     digits is a flint.fmpz and radius a flint.fmpq. An exact number has radius 0.
     """
 
-    digits: Any
+    digits: fmpz
     place: int
-    radius: Any
+    radius: fmpq
 
     @property
     def text(self) -> str:
@@ -135,7 +135,7 @@ def working_bits(digits: int) -> int:
     return math.ceil(digits * math.log2(10)) + _GUARD_BITS
 
 
-def _rounded(x: Any, place: int) -> Decimal:
+def _rounded(x: fmpq, place: int) -> Decimal:
     """The decimal nearest to the rational x, in units of 10^place."""
     unit = _power(place)
     digits = (x / unit + fmpq(1, 2)).floor()
@@ -149,20 +149,20 @@ def _without_zeros(exact: Decimal) -> Decimal:
     return Decimal(digits, place, exact.radius)
 
 
-def _ratio(x: Any) -> Any:
+def _ratio(x: arb) -> fmpq:
     """An exact flint.arb as a flint.fmpq."""
     mantissa, exponent = x.man_exp()
     shift = int(exponent)
     return fmpq(mantissa << shift) if shift >= 0 else fmpq(mantissa, fmpz(1) << -shift)
 
 
-def _power(exponent: int) -> Any:
+def _power(exponent: int) -> fmpq:
     """10^exponent as a flint.fmpq."""
     power = fmpz(10) ** abs(exponent)
     return fmpq(power) if exponent >= 0 else fmpq(1, power)
 
 
-def _exponent(x: Any) -> int:
+def _exponent(x: fmpq) -> int:
     """The integer e with 10^e ≤ |x| < 10^(e+1), x a rational that is not 0."""
     size = abs(x)
     guess: int = math.floor((size.p.bit_length() - size.q.bit_length()) * math.log10(2))

@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Complexes, Reals
+
 _TERMS = 18
 _NORM = 0.5
 
@@ -24,7 +26,7 @@ class Float64:
             total = total * z + float(c)
         return total
 
-    def matrix(self, rows: Sequence[Sequence[Any]]) -> Any:
+    def matrix(self, rows: Sequence[Sequence[Any]]) -> Complexes:
         shape = np.broadcast_shapes(*(np.shape(x) for row in rows for x in row))
         columns = len(rows[0]) if len(rows) else 0
         out = np.empty((*shape, len(rows), columns), complex)
@@ -36,10 +38,10 @@ class Float64:
     def times(self, a: Any, factor: Any) -> Any:
         return a * np.asarray(factor)[..., None, None]
 
-    def product(self, a: Any, b: Any) -> Any:
+    def product(self, a: Any, b: Complexes) -> Any:
         return a @ b
 
-    def exp(self, a: Any) -> Any:
+    def exp(self, a: Any) -> Complexes:
         """By scaling and squaring of the Taylor series, one scale for the whole stack."""
         size = float(np.abs(a).sum(-2).max()) if a.size else 0.0
         halvings = max(0, int(np.ceil(np.log2(size / _NORM)))) if size > _NORM else 0
@@ -51,7 +53,7 @@ class Float64:
             total = total @ total
         return total
 
-    def solve(self, a: Any, b: Any) -> Any:
+    def solve(self, a: Any, b: Complexes) -> Any:
         return np.linalg.solve(a, b)
 
     def entry(self, a: Any, i: int, j: int) -> Any:
@@ -69,7 +71,7 @@ def distinct(x: Any) -> Any:
     return ordered[new]
 
 
-def value_at(x: Any, y: Any, c: Any) -> Any:
+def value_at(x: Any, y: Any, c: Reals) -> Any:
     """Σ c[i, j] x^i y^j at arrays of one shape, by Horner's rule in x and then in y: numpy.polynomial's polyval2d."""
     table = np.reshape(c, (*np.shape(c), *(1,) * np.ndim(x)))
     rows = table[-1] + 0 * x
@@ -91,7 +93,7 @@ def companions(D: Any) -> Any:
     return C
 
 
-def polynomial_and_slope(D: Any, z: Any) -> tuple[Any, Any]:
+def polynomial_and_slope(D: Any, z: Complexes) -> tuple[Complexes, Complexes]:
     """Values and slopes in z at several z for each polynomial Σ D[:, i] z^i; z of shape (rows, …)."""
     value, slope = np.broadcast_to(D[:, -1:], z.shape), np.zeros_like(z)
     for i in range(D.shape[1] - 2, -1, -1):

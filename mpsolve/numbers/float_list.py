@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.exact import exact_list
 
 
-def float_list(values: Any, key: str) -> Any:
+def float_list(values: Any, key: str) -> Reals:
     """One number, or each of many, in float64; InputError names the one that is none, or is beyond float64."""
     if isinstance(values, np.ndarray) and values.ndim == 1 and values.dtype.kind in "fiu":
         found = values.astype(float)
@@ -32,12 +34,12 @@ def _float(number: Any, key: str) -> float:
     return value
 
 
-def checked_places(xi: Any, default: Any) -> Any:
+def checked_places(xi: Any, default: Sequence[float]) -> Reals:
     """The positions, those of the masses (the default) where there are none."""
     return np.array(default, float) if xi is None else float_list(xi, "xi")
 
 
-def checked_times(tau: Any) -> Any:
+def checked_times(tau: Any) -> Reals:
     """The times, in the order given."""
     times = float_list(tau, "tau")
     if np.any(times < 0):

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Complexes, Integers, Reals
 from mpsolve.numbers.jets import TINY, UP, U, nearest
 from mpsolve.numbers.quadratic import Quadratic, pairs
 
@@ -25,8 +26,8 @@ Terms = dict[tuple[int, ...], Fraction]
 class Forms:
     """weights[p, t]: the coefficient of monomial t in polynomial p, rounded to nearest; powers[t, v]: exponents."""
 
-    weights: Any
-    powers: Any
+    weights: Reals
+    powers: Integers
 
     @staticmethod
     def of(polynomials: Sequence[Terms], variables: int) -> Forms:
@@ -91,7 +92,7 @@ class Forms:
         return Quadratic(values, np.where(np.isfinite(e), e, np.inf), m)
 
 
-def _lower(e: Any, n: int) -> Any:
+def _lower(e: Integers, n: int) -> Integers:
     """e − n, but 0 where a derivative of order n has the factor 0."""
     return np.where((e >= 0) & (e < n), 0, e - n)
 
@@ -104,7 +105,7 @@ class _Powers:
     down: int
 
     @staticmethod
-    def of(y: Any, e: Any) -> _Powers:
+    def of(y: Any, e: Integers) -> _Powers:
         """With all that derivatives up to the second need."""
         up, down = max(int(e.max(initial=0)), 0), max(-int(e.min(initial=0)), 0)
         down = down + 2 if down else 0
@@ -121,7 +122,7 @@ class _Powers:
         return self.table[e + self.down]
 
 
-def _replaced(factors: Any, new: dict[int, Any]) -> Any:
+def _replaced(factors: Complexes, new: dict[int, Complexes]) -> Complexes:
     out = np.ones(factors.shape[1:], complex)
     for v in range(len(factors)):
         out = out * new.get(v, factors[v])

@@ -12,12 +12,14 @@ loses a factor that `UP` covers, so bounds themselves are rounded as they come a
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Integers, Reals
 
 U = 2.0**-53
 """Unit roundoff."""
@@ -30,18 +32,18 @@ _WIDEST = 64.0
 _TERMS = 16  # of the exponential series on |z| ≤ 1/2: the rest is below 2^−60
 
 
-def nearest(x: Any) -> float:
+def nearest(x: Fraction) -> float:
     """The float nearest to an exact number, so within U of it relatively; PrecisionError where none is."""
     if x and not 1 / _RANGE <= abs(x) <= _RANGE:
         raise PrecisionError(f"the problem holds a number of the order 2^{_order(x)} in the units it is computed in")
     return float(x)
 
 
-def _order(x: Any) -> int:
+def _order(x: Fraction) -> int:
     return int(x.numerator).bit_length() - int(x.denominator).bit_length()
 
 
-def powers_up_to(x: Any, n: int) -> Any:
+def powers_up_to(x: Reals, n: int) -> Reals:
     """1, x, …, x^(n−1) of bounds x ≥ 0 along a new last axis, from above (times UP) even where they underflow."""
     out = np.maximum(np.asarray(x)[..., None] ** np.arange(n), TINY)
     out[..., 0] = 1
@@ -72,9 +74,14 @@ class Jet:
         """Along the axes after the leading one: jet[:, key]."""
         return Jet(self.a[key], self.b[key], self.e[key], self.r)
 
-    def take(self, rows: Any) -> Jet:
+    def take(self, rows: Integers) -> Jet:
         """The discs with these leading indices."""
         return Jet(self.a[rows], self.b[rows], self.e[rows], self.r[rows])
+
+    def taken(self, numbers: Any) -> Jet:
+        """Along the last axis."""
+        a, b, e = (np.take(x, numbers, -1) for x in (self.a, self.b, self.e))
+        return Jet(a, b, e, self.r)
 
     def __neg__(self) -> Jet:
         return Jet(-self.a, -self.b, self.e, self.r)
@@ -153,7 +160,7 @@ def joined(parts: Sequence[Jet], axis: int = -1) -> Jet:
     return Jet(a, b, e, parts[0].r)
 
 
-def exponential(z: Any) -> tuple[Any, Any]:
+def exponential(z: Any) -> tuple[Any, Reals]:
     """(e^z, a bound of its relative error where it is above TINY) from + − × ÷ alone, by halving and squaring.
 
     Horner's scheme: each step loses (√5 + 2) U |value w/k| + U |value|, at the end 7 U, so 12 U of |e^w| ≥ e^(−1/2).

@@ -63,7 +63,7 @@ def units(n: int) -> list[Vector]:
     return [[Fraction(int(i == k)) for i in range(n)] for k in range(n)]
 
 
-def dot(a: Iterable[Any], b: Iterable[Any]) -> Any:
+def dot(a: Iterable[Any], b: Iterable[Fraction]) -> Fraction:
     """Σ a_i b_i of numbers, or of polynomials in free parameters."""
     return sum((x * y for x, y in zip(a, b, strict=True) if x and y), Fraction(0))
 
@@ -73,7 +73,7 @@ def image(rows: Iterable[Sequence[Any]], vector: Sequence[Any]) -> list[Any]:
     return [dot(row, vector) for row in rows]
 
 
-def congruent(rows: Any, left: Any, right: Any) -> list[list[Any]]:
+def congruent(rows: Any, left: Sequence[Sequence[Fraction]], right: Sequence[Sequence[Fraction]]) -> list[list[Any]]:
     """aᵀ A b for each a in `left` and b in `right`."""
     images = [image(rows, vector) for vector in right]
     return [[dot(a, one) for one in images] for a in left]

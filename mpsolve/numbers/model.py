@@ -178,7 +178,7 @@ def quantities(model: type[Any]) -> dict[str, Quantity]:
     return out
 
 
-def defaults(model: type[Any]) -> dict[str, Any]:
+def defaults(model: type[Any]) -> dict[str, Fraction | None]:
     """The values of the parameters that may be left out."""
     fields = msgspec.structs.fields(model)
     return {field.name: field.default for field in fields if field.default is not msgspec.NODEFAULT}

@@ -22,18 +22,18 @@ def pack(ball: Any) -> PackedBall:
     return (int(middle), int(middle_exponent)), (int(radius), int(radius_exponent))
 
 
-def unpack(packed: PackedBall) -> Any:
+def unpack(packed: PackedBall) -> arb:
     """The flint.arb with the same midpoint, and the same radius up to its rounding upward, at any precision."""
     return arb(*packed)
 
 
-def dyadic(x: Any) -> Fraction:
+def dyadic(x: arb) -> Fraction:
     """An exact flint.arb, such as a middle or a radius."""
     mantissa, exponent = x.man_exp()
     return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
-def exponent_of(x: Any) -> int:
+def exponent_of(x: arb) -> int:
     """e with 2^(e−1) ≤ |x| < 2^e, for an exact flint.arb that is not 0."""
     mantissa, exponent = x.man_exp()
     return int(exponent) + int(abs(mantissa)).bit_length()

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Complexes, Reals
 from mpsolve.numbers.jets import TINY, UP, U, exponential
 
 _WIDEST = 40.0
@@ -40,7 +41,7 @@ class Quadratic:
     """k: complex, the coefficients 1, u_i, u_i u_j along the first axis, then boxes, then any shape; e ≥ 0."""
 
     k: Any
-    e: Any
+    e: Reals
     m: int
 
     __array_ufunc__ = None
@@ -83,6 +84,10 @@ class Quadratic:
         """Along the axes of boxes and behind."""
         rest = key if isinstance(key, tuple) else (key,)
         return Quadratic(self.k[(slice(None), *rest)], self.e[key], self.m)
+
+    def taken(self, numbers: Any) -> Quadratic:
+        """Along the last axis."""
+        return Quadratic(np.take(self.k, numbers, -1), np.take(self.e, numbers, -1), self.m)
 
     def __neg__(self) -> Quadratic:
         return Quadratic(-self.k, self.e, self.m)
@@ -155,7 +160,7 @@ class Quadratic:
         return Quadratic(np.stack(k), np.where(y <= _WIDEST, e, np.inf), self.m)
 
     @np.errstate(all="ignore")
-    def turned(self, M: Any) -> Quadratic:
+    def turned(self, M: Complexes) -> Quadratic:
         """With u_v = Σ M_vw u′_w, of shape (m, m, boxes), Σ_w |M_vw| ≤ 1: f has one axis behind that of boxes."""
         M, which = M[..., None], pairs(self.m)
         b = np.stack([self.b[v] * M[v] for v in range(self.m)])

@@ -15,6 +15,7 @@ import numpy as np
 
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Complexes, Reals
 from mpsolve.numbers.balls import acb, acb_mat, exact_ball
 
 _WHOLE = 5
@@ -27,8 +28,8 @@ _SINGULAR = 2.0**-20
 class Reduction:
     """left · A · right ≈ diag(1, …, 1, s), both exact and regular."""
 
-    left: Any
-    right: Any
+    left: acb_mat
+    right: acb_mat
 
     @staticmethod
     def of(A: Any, near_root: bool = False) -> Reduction:
@@ -55,22 +56,22 @@ class Reduction:
         return all(x == int(k // n == k % n) for k, x in enumerate(self.right.entries()))
 
     @cached_property
-    def factor(self) -> Any:
+    def factor(self) -> acb:
         """1/det(left · right), at the precision at which it is first asked for."""
         return 1 / (self.left.det() if self.one_sided else self.left.det() * self.right.det())
 
-    def _blocks(self, A: Any) -> tuple[Any, Any, Any, Any]:
+    def _blocks(self, A: Any) -> tuple[acb_mat, acb_mat, acb_mat, acb]:
         B = self.left * A * self.right
         n = B.nrows() - 1
         first = acb_mat(n, n, [B[i, j] for i in range(n) for j in range(n)])
         return first, acb_mat(n, 1, [B[i, n] for i in range(n)]), acb_mat(1, n, [B[n, j] for j in range(n)]), B[n, n]
 
-    def scalar(self, A: Any) -> Any:
+    def scalar(self, A: Any) -> acb:
         """s(A): 0 exactly where A is singular."""
         first, column, row, corner = self._blocks(A)
         return corner - _entry(row * _solved(first, column)) if first.nrows() else corner
 
-    def scalar_slope(self, A: Any, A_slope: Any) -> Any:
+    def scalar_slope(self, A: Any, A_slope: acb_mat) -> Any:
         """The derivative of s along A_slope."""
         first, column, row, _ = self._blocks(A)
         d_first, d_column, d_row, d_corner = self._blocks(A_slope)
@@ -79,7 +80,7 @@ class Reduction:
         x, y = _solved(first, column), _solved(first.transpose(), row.transpose()).transpose()
         return d_corner - _entry(d_row * x) - _entry(y * d_column) + _entry(y * d_first * x)
 
-    def determinant(self, A: Any, A_slope: Any) -> tuple[Any, Any]:
+    def determinant(self, A: Any, A_slope: acb_mat) -> tuple[acb, acb]:
         """det A and its derivative along A_slope."""
         if self.one_sided:
             near, slope = self.left * A, self.left * A_slope
@@ -102,7 +103,7 @@ class Reduction:
         size = self.factor * _near_one(first)
         return size * s, size * (d_s + s * turned.trace())
 
-    def kernel(self, A: Any) -> list[Any]:
+    def kernel(self, A: Any) -> list[acb]:
         """A vector x ≠ 0 with A x = 0 for each singular matrix of the balls A."""
         if self.left.det().contains(0):
             raise PrecisionError("the characteristic matrix is too badly conditioned in float64 to show its kernel")
@@ -112,14 +113,14 @@ class Reduction:
         return list((self.right * acb_mat(n + 1, 1, [*head, acb(1)])).entries())
 
 
-def _solved(a: Any, b: Any) -> Any:
+def _solved(a: Any, b: acb_mat) -> Any:
     try:
         return a.solve(b)
     except ZeroDivisionError:
         raise PrecisionError("the characteristic matrix is too wide here: split the piece") from None
 
 
-def _near_one(a: Any) -> Any:
+def _near_one(a: Any) -> acb:
     """The determinant of a matrix near the identity, by elimination without exchange: no width beyond first order."""
     rows, value = a.tolist(), acb(1)
     for k, pivots in enumerate(rows):
@@ -137,12 +138,12 @@ def _entry(a: Any) -> Any:
     return a[0, 0]
 
 
-def _exact(a: Any) -> Any:
+def _exact(a: Any) -> acb_mat:
     n = len(a)
     return acb_mat(n, n, [exact_ball(complex(x)) for x in a.ravel()])
 
 
-def _equilibrated(a: Any) -> tuple[Any, Any, Any]:
+def _equilibrated(a: Any) -> tuple[Reals, Reals, Complexes]:
     """Powers of two r, c that bring the rows and columns of r a c near 1, and r a c."""
     r = np.exp2(-np.round(np.log2(np.maximum(np.abs(a).max(1), 1e-300))))
     c = np.exp2(-np.round(np.log2(np.maximum(np.abs(r[:, None] * a).max(0), 1e-300))))
@@ -170,7 +171,7 @@ def _bordered(a: Any) -> tuple[Any, Any]:
     return np.linalg.inv(np.column_stack([a[:, others], u])), right
 
 
-def det_and_trace(A: Any, A_slope: Any) -> tuple[Any, Any]:
+def det_and_trace(A: Any, A_slope: acb_mat) -> tuple[acb, acb]:
     """det A and tr A⁻¹A′ = (det A)′/det A; not finite where FLINT finds A singular.
 
     With A = [[X, Y], [Z, W]], P = X⁻¹Y, Q = ZX⁻¹ and S = W − ZP: det A = det X · det S, so the trace is that of X⁻¹X′
@@ -187,7 +188,7 @@ def det_and_trace(A: Any, A_slope: Any) -> tuple[Any, Any]:
         return acb("nan"), acb("nan")
 
 
-def _by_halves(A: Any, A_slope: Any) -> tuple[Any, Any]:
+def _by_halves(A: Any, A_slope: acb_mat) -> tuple[acb, acb]:
     X, Y, Z, W = _quarters(A)
     X_, Y_, Z_, W_ = _quarters(A_slope)
     inverse = X.inv()
@@ -197,7 +198,7 @@ def _by_halves(A: Any, A_slope: Any) -> tuple[Any, Any]:
     return X.det() * S.det(), (inverse * X_).trace() + turned.trace()
 
 
-def _quarters(a: Any) -> list[Any]:
+def _quarters(a: Any) -> list[acb_mat]:
     k, rows = a.nrows() // 2, a.tolist()
     sides = (slice(k), slice(k, None))
     return [acb_mat([row[side] for row in rows[part]]) for part in sides for side in sides]

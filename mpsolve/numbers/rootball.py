@@ -60,7 +60,7 @@ RADIUS = (29, -6)  # 29/64 as mantissa and exponent
 CLUSTER = 10  # the grid of a cluster is finer by this many bits than its radius
 
 
-def radius_of(exponent: int, multiplicity: int) -> Any:
+def radius_of(exponent: int, multiplicity: int) -> arb:
     """The radius of each coordinate of a root ball, exact."""
     return arb((RADIUS[0], RADIUS[1] + exponent + (CLUSTER if multiplicity > 1 else 0)))
 

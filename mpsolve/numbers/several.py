@@ -112,7 +112,7 @@ class Several:
     def __sub__(self, other: Any) -> Several:
         return self + -self.ring.constant(other)
 
-    def __rsub__(self, other: Any) -> Several:
+    def __rsub__(self, other: Fraction) -> Several:
         return (-self).__add__(other)
 
     def __mul__(self, other: Any) -> Several:
@@ -134,7 +134,7 @@ class Several:
         ((exponents, c),) = divisor.terms.items()
         return self * Several(self.ring, {tuple(-e for e in exponents): 1 / c})
 
-    def __rtruediv__(self, other: Any) -> Several:
+    def __rtruediv__(self, other: int) -> Several:
         quotient: Several = self.ring.constant(other).__truediv__(self)
         return quotient
 

@@ -20,13 +20,13 @@ SAMPLES = 16
 class Taylor:
     """Balls of a_0 … a_{SAMPLES−1} of f(centre + z) = Σ a_k z^k; |a_k| ≤ bound/outer^k for every k."""
 
-    centre: Any
-    coefficients: tuple[Any, ...]
-    bound: Any
-    outer: Any
+    centre: acb
+    coefficients: tuple[acb, ...]
+    bound: arb
+    outer: arb
 
 
-def taylor(function: Callable[[Any], Any], centre: Any, outer: Any, bound: Any, shrink: int) -> Taylor:
+def taylor(function: Callable[[Any], Any], centre: acb, outer: arb, bound: arb, shrink: int) -> Taylor:
     """From samples on the circle of radius outer·2^−shrink; `bound` ≥ |f| on the disc of radius `outer`.
 
     What the samples cannot tell apart is below bound·2^(−shrink·SAMPLES).
@@ -43,7 +43,7 @@ def taylor(function: Callable[[Any], Any], centre: Any, outer: Any, bound: Any, 
     return Taylor(centre, tuple(coefficients), bound, outer)
 
 
-def pellet(series: Taylor, m: int, radius: Any) -> bool:
+def pellet(series: Taylor, m: int, radius: arb) -> bool:
     """True if the disc of this radius about the centre is proved to hold exactly m roots."""
     if not radius > 0:
         return False

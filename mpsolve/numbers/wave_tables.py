@@ -15,18 +15,20 @@ from typing import Any
 import numpy as np
 from numpy.polynomial import Polynomial, legendre
 
+from mpsolve.numbers.arrays import Complexes, Reals
+
 _SMALL = 3.0
 _POINTS = 14
 
 
 @cache
-def gauss(points: int) -> tuple[Any, Any]:
+def gauss(points: int) -> tuple[Reals, Reals]:
     """Nodes and weights of Gauss on [0, 1], each (points,)."""
     x, weight = legendre.leggauss(points)
     return (x + 1) / 2, weight / 2
 
 
-def legendre_powers(degree: int) -> Any:
+def legendre_powers(degree: int) -> Reals:
     """Row l: the coefficients of P_l(2θ − 1) in 1, θ, θ², …; (degree + 1, degree + 1)."""
     rows = np.zeros((degree + 1, degree + 1))
     for row, unit in zip(rows, np.eye(degree + 1), strict=True):
@@ -35,7 +37,7 @@ def legendre_powers(degree: int) -> Any:
     return rows
 
 
-def moments(z: Any, degree: int) -> Any:
+def moments(z: Any, degree: int) -> Complexes:
     """∫₀¹ θ^d e^{zθ} dθ for d = 0 … degree, (degree + 1, *z.shape); good to 1e-14 where Re z ≲ 1, degree ≤ 8.
 
     By parts from d − 1 to d where |z| > 3, by Gauss elsewhere.
@@ -56,7 +58,7 @@ def moments(z: Any, degree: int) -> Any:
     return out
 
 
-def nested_moments(p: Any, q: Any, outer: int, inner: int) -> Any:
+def nested_moments(p: Complexes, q: Any, outer: int, inner: int) -> Complexes:
     """∫₀¹ θ^a e^{pθ} ∫₀^θ σ^l e^{qσ} dσ dθ for a ≤ outer, l ≤ inner; (outer + 1, inner + 1, *p.shape).
 
     The inner integral is taken in closed form where |q| > 3, by Gauss over σ/θ elsewhere.
@@ -85,8 +87,8 @@ class Waves:
     """Wavenumber, rate and weight of exponentials, each (E,); length of the track; velocity of the loads."""
 
     k: Any
-    rate: Any
-    weight: Any
+    rate: Complexes
+    weight: Complexes
     length: float
     velocity: float
 
@@ -100,14 +102,14 @@ class WaveTables:
     contact j, as far as it depends on x_i − x_j; image (a, l, E): the rest, per e^{ik(x_i + x_j)}. x at the start.
     """
 
-    decay: Any
-    entry: tuple[Any, Any]
-    history: tuple[Any, Any]
-    direct: Any
+    decay: Complexes
+    entry: tuple[Complexes, Complexes]
+    history: tuple[Complexes, Complexes]
+    direct: Reals
     image: Any
 
 
-def nested(p: Any, q: Any, h: float, tests: int, degree: int) -> Any:
+def nested(p: Complexes, q: Any, h: float, tests: int, degree: int) -> Any:
     """h ∫ P_a e^{pt} ∫₀^t P_l e^{qs}, lengths in units of the step h; (a, l, *p.shape)."""
     outer, inner = legendre_powers(tests), legendre_powers(degree)
     return h * np.einsum("am,lj,mj...->al...", outer, inner, nested_moments(p * h, q * h, tests, degree))
@@ -118,7 +120,7 @@ def mirrored(degree: int) -> Any:
     return (-1.0) ** np.arange(degree + 1)[:, None]
 
 
-def wave_tables(waves: Waves, places: Any, h: float, tests: int, degree: int) -> WaveTables:
+def wave_tables(waves: Waves, places: Reals, h: float, tests: int, degree: int) -> WaveTables:
     """The tables for contacts at these distances from one another, steps h, tests and forces up to these degrees."""
     k, rate, weight = waves.k, waves.rate, waves.weight
     turn, share = 1j * waves.velocity * k, 2 / waves.length

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Integers, Reals
 from mpsolve.page.parts import Parts, worth_drawing
 from mpsolve.page.words import Speech, speech
 from mpsolve.pictures.chart import Sure, chart_picture
@@ -63,7 +64,7 @@ def _proved(parts: Parts) -> Chart | None:
     return found if worth_drawing(found) else None
 
 
-def _computed(parts: Parts) -> tuple[Any, Any, Any] | None:
+def _computed(parts: Parts) -> tuple[Reals, Reals, Integers] | None:
     found = parts.chart.value
     if found is None:
         return None

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Complexes, Reals
 from mpsolve.page.charts import Picture
 from mpsolve.page.parts import Parts, searched, worst
 from mpsolve.page.words import contact_names, speech
@@ -104,7 +105,7 @@ def _end(parts: Parts) -> str:
     return f" A line ends where it decays faster than {speech(parts).rate(height)}: no such one was searched."
 
 
-def _numbers(parts: Parts, v: Any, tracks: list[Any]) -> list[str]:
+def _numbers(parts: Parts, v: Any, tracks: list[Complexes]) -> list[str]:
     """Of each line the number of the vibration through which it runs at this case, else one beyond the table's."""
     own, roots = float(parts.problem.v), [complex(root.q.mid()) for root in once(parts.spectrum)]
     near = []
@@ -162,7 +163,7 @@ def _marks(parts: Parts, factor: float) -> list[Mark]:
     return marks
 
 
-def followed(roots: Any) -> list[Any]:
+def followed(roots: Complexes) -> list[Complexes]:
     """Rows of roots over a parameter as lines: each root goes on where the next row has the nearest one."""
     lines: list[Any] = []
     ends: list[tuple[int, complex]] = []
@@ -199,6 +200,6 @@ def motion(parts: Parts) -> list[Picture]:
     ]
 
 
-def _until(t: Any, end: float | None) -> Any:
+def _until(t: Reals, end: float | None) -> Any:
     """All times, or a little beyond the lift-off."""
     return slice(None) if end is None else t <= max(1.25 * end, t[min(20, len(t) - 1)])

@@ -12,6 +12,7 @@ import numpy as np
 from mpsolve.batch.frequencies import frequencies
 from mpsolve.batch.result import Frequencies
 from mpsolve.certificate.certify import certify
+from mpsolve.numbers.arrays import Reals
 from mpsolve.outcome import Reason, Status
 from mpsolve.page.budget import Budget, Part
 from mpsolve.page.limits import Reach, distance_margin, distance_path, mass_margin, reach_of, stable_box
@@ -174,7 +175,7 @@ def _duration(spectrum: Spectrum) -> float:
     return min(wanted, 12.0 / fastest) if fastest > 0 else wanted
 
 
-def searched(track: Any) -> Any:
+def searched(track: Any) -> Fraction:
     """The decay up to which lines are followed; 0: growth only."""
     return (lowest_cut(track)[0] or 0) * Fraction(9, 10)
 
@@ -193,7 +194,7 @@ def chart_of(problem: Problem, top: Fraction) -> Frequencies:
     return frequencies(problem, over, roots=False)
 
 
-def velocities(top: Fraction, number: int) -> Any:
+def velocities(top: Fraction, number: int) -> Reals:
     """Velocities from near 0 to the top that are no round numbers, as those may be wave speeds."""
     return float(top) * (np.arange(number) + 0.503) / number
 

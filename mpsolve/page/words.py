@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from flint import arb
 
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.spoken import rounded, spoken
@@ -21,6 +23,9 @@ from mpsolve.vehicles.bounce import rigid_bounce
 from mpsolve.vehicles.load import GRAVITY
 from mpsolve.waves.speeds import SLOW_WAVES, slow_waves
 from mpsolve.waves.velocity import Kind as Kinds
+
+if TYPE_CHECKING:
+    from mpsolve.vibration.motion import Vibration
 
 
 @dataclass(frozen=True)
@@ -42,16 +47,16 @@ class Speech:
     def velocity(self, x: Any, figures: int = 4) -> str:
         return spoken(x, "m/s", figures) if self.si else f"α = {rounded(x, figures)}"
 
-    def frequency(self, x: Any) -> str:
+    def frequency(self, x: arb) -> str:
         return f"{rounded(x)} {'Hz' if self.si else '1/τ'}"
 
-    def rate(self, x: Any) -> str:
+    def rate(self, x: Fraction) -> str:
         return f"{rounded(x)} {'1/s' if self.si else '1/τ'}"
 
     def time(self, x: Any) -> str:
         return spoken(x, "s") if self.si else f"τ = {rounded(x)}"
 
-    def span(self, x: Any) -> str:
+    def span(self, x: arb) -> str:
         """A time after "every" or "in"."""
         return self.time(x) if self.si else f"{rounded(x)} τ"
 
@@ -158,7 +163,7 @@ def _why_so_long(parts: Parts) -> str:
     return " (eight periods of the lowest frequency)" if swings and not grows else ""
 
 
-def _most(motion: Any, speak: Speech) -> str:
+def _most(motion: Vibration, speak: Speech) -> str:
     """The largest deflection and contact force of the motion, in SI."""
     if not speak.si:
         return ""

@@ -7,6 +7,8 @@ from enum import Enum
 from fractions import Fraction
 from typing import Any
 
+from flint import arb
+
 from mpsolve.numbers.decimals import proved_digits
 from mpsolve.numbers.model import shown
 from mpsolve.numbers.result import Result
@@ -36,8 +38,8 @@ class PassivityVelocity(Result):
     value: Any
     lower: Fraction
     upper: Fraction
-    passive_to: Any
-    wave_speeds: tuple[Any, ...]
+    passive_to: arb | None
+    wave_speeds: tuple[arb, ...]
     status: Status
     reason: Reason | None = None
 
@@ -71,5 +73,5 @@ class PassivityVelocity(Result):
         }
 
 
-def _decimal(x: Any) -> str | None:
+def _decimal(x: arb | None) -> str | None:
     return None if x is None else proved_digits(x, 30)

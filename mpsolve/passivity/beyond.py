@@ -18,6 +18,7 @@ from mpsolve.characteristic.path import Path
 from mpsolve.characteristic.paths import Paths
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.float64 import distinct
 from mpsolve.passivity.absorption import Absorption, overtakes
 from mpsolve.passivity.decay import vanishes
@@ -94,7 +95,7 @@ def depth_of(least: Least, rho: float, ratio: float, factors: Sequence[float]) -
     return short(rho)
 
 
-def _least(arrays: Arrays, up: int, q: Any) -> Any:
+def _least(arrays: Arrays, up: int, q: Any) -> Reals:
     """Least eigenvalue of V + V* over the largest, in floats; −1 where G is not known."""
     with np.errstate(all="ignore"):
         _, G, good = arrays.evaluate(1j * q, np.zeros(len(q)), up)

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.numbers.affine import Affine, between
+from mpsolve.numbers.arrays import Integers, Reals, Truths
 from mpsolve.numbers.jets import TINY, UP, U
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.hermitian import Density, definite, positive
@@ -24,7 +25,7 @@ SIDE = 12
 _CHUNK = 1 << 16  # cells that are looked at at once
 
 
-def passive_on(envelope: Envelope, low: Any, high: Any, side: int = SIDE) -> Any:
+def passive_on(envelope: Envelope, low: Reals, high: Reals, side: int = SIDE) -> Truths:
     """For boxes (q, parameters) of shape (boxes, 1 + parameters), scaled: whether −Im G is proved positive definite.
 
     q > 0. The parameters must lie in those of the envelope. side: cells on each side of a wave; more are tighter and
@@ -36,7 +37,7 @@ def passive_on(envelope: Envelope, low: Any, high: Any, side: int = SIDE) -> Any
     return np.concatenate(parts) if parts else np.zeros(0, bool)
 
 
-def _passive(envelope: Envelope, low: Any, high: Any, side: int) -> Any:
+def _passive(envelope: Envelope, low: Reals, high: Reals, side: int) -> Any:
     subject = envelope.subject
     with np.errstate(all="ignore"):
         middle = low / 2 + high / 2
@@ -57,12 +58,12 @@ def _passive(envelope: Envelope, low: Any, high: Any, side: int) -> Any:
         return passed
 
 
-def _rows(f: Affine, rows: Any, count: int) -> Affine:
+def _rows(f: Affine, rows: Integers, count: int) -> Affine:
     whole = np.ones((count, 1))
     return Affine((f.a * whole)[rows], {name: (b * whole)[rows] for name, b in f.b.items()}, (f.e * whole)[rows])
 
 
-def _holds(subject: Subject, density: Density, tail: Any, parameters: list[Affine]) -> Any:
+def _holds(subject: Subject, density: Density, tail: Reals, parameters: list[Affine]) -> Any:
     if len(subject.places) == 1:
         return positive(density, tail)
     return definite(density, *subject.distances(parameters), tail)
@@ -70,7 +71,7 @@ def _holds(subject: Subject, density: Density, tail: Any, parameters: list[Affin
 
 def _given(
     subject: Subject, q: Affine, v: Affine, parameters: list[Affine], ends: Any, middle: Any
-) -> tuple[Any, Any]:
+) -> tuple[Reals, Reals]:
     """(what is given at most while −Ω is below an end, the least p beyond) for Σ|u|² = 1; ∞ where v may be 0."""
     slow = np.ravel(v.low)
     turns = np.minimum(middle[:, None] - v.a * ends[:, ::-1], 0.0)
@@ -89,8 +90,8 @@ class _Bounds:
     """Φ as a form and a lower bound of it; takes: where Ω ≥ 0."""
 
     form: Affine
-    plain: Any
-    takes: Any
+    plain: Reals
+    takes: Truths
 
 
 def _bounds(subject: Subject, p: Affine, omega: Affine, parameters: list[Affine]) -> _Bounds:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Integers, Reals
 from mpsolve.passivity.blocks import SIDE, passive_on
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.far import far
@@ -29,7 +30,7 @@ class PassiveBeyond:
 
 def passive_beyond(
     envelope: Envelope, box: tuple[Any, Any] | None = None, ceiling: float | None = None, halvings: int = _HALVINGS
-) -> Any:
+) -> PassiveBeyond | None:
     """The least X that is found for the box (low, high) of parameters, that of the envelope if left out.
 
     halvings: of a cell of frequencies, before it is left open: fewer take less time, and X is greater.
@@ -50,7 +51,7 @@ def passive_beyond(
     return PassiveBeyond(X, top, tried)
 
 
-def _covered(envelope: Envelope, low: Any, high: Any, ends: Any, halvings: int) -> tuple[int, bool, int]:
+def _covered(envelope: Envelope, low: Reals, high: Reals, ends: Any, halvings: int) -> tuple[int, bool, int]:
     """(how many cells in a row below ends[0] are proved, whether the next one failed, how many boxes were looked at).
 
     Cells far below one that is hard are left for another time.
@@ -71,7 +72,7 @@ def _covered(envelope: Envelope, low: Any, high: Any, ends: Any, halvings: int) 
     return int(cell.min()), True, tried
 
 
-def halved(low: Any, high: Any, cell: Any) -> tuple[Any, Any, Any]:
+def halved(low: Reals, high: Reals, cell: Integers) -> tuple[Reals, Reals, Integers]:
     """Each box in two along its relatively longest side."""
     size = (high - low) / np.maximum(np.abs(high + low), 1e-300)
     k, rows = size.argmax(1) if len(low) else np.zeros(0, int), np.arange(len(low))

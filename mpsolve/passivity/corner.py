@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.arrays import Integers, Reals
 from mpsolve.numbers.balls import acb, arb, precision
 from mpsolve.passivity.cover import Moving
 from mpsolve.proof.effort import Effort
@@ -34,10 +35,10 @@ class _Slope:
     def value(self, v: Any) -> Any:
         return self.both(v)[0]
 
-    def slope(self, v: Any) -> Any:
+    def slope(self, v: Any) -> acb:
         return self.both(v)[1]
 
-    def both(self, v: Any) -> tuple[Any, Any]:
+    def both(self, v: Any) -> tuple[acb, acb]:
         found = self.moving.germ(acb(0), arb(v.real), 1)
         return acb(found.value[1].real), acb(found.by_velocity[1].real)
 
@@ -111,7 +112,7 @@ def _falls(moving: Moving, below: float, value: Any, reach: float, effort: Effor
     low = np.array([0.0, below])
     high = np.array([float(reach), float(value.mid()) * (1 + 2.0**-40)])
 
-    def judge(a: Any, b: Any) -> tuple[Any, Any]:
+    def judge(a: Any, b: Reals) -> tuple[Any, Integers]:
         return moving.waves.rises(a, b).astype(np.int8), ((b - a) / (high - low)[:, None]).argmax(0)
 
     return not len(subdivide(low, high, judge, effort, smallest=2.0**-9).tree.open)

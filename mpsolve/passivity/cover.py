@@ -14,11 +14,12 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.balls import acb, arb, precision
 from mpsolve.passivity.blocks import passive_on
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.far import far
-from mpsolve.passivity.germ import germ
+from mpsolve.passivity.germ import Germ, germ
 from mpsolve.passivity.near import Near
 from mpsolve.passivity.subject import Subject
 from mpsolve.passivity.waves import Waves
@@ -48,7 +49,7 @@ class Moving:
         """Its p-roots over boxes of (q, v)."""
         return Waves(self.guide, self.upper)
 
-    def germ(self, sigma: Any, v: Any, order: int) -> Any:
+    def germ(self, sigma: Any, v: Any, order: int) -> Germ:
         """The germ of G(0, σ) at balls of σ and of the scaled velocity."""
         return germ(self.guide.D_rest, self.guide.N_rest, self.upper, sigma, v, order)
 
@@ -70,7 +71,7 @@ class Strip:
         return far(self.envelope, least=0.25)
 
 
-def cover(strip: Strip, first: float, effort: Effort) -> Any:
+def cover(strip: Strip, first: float, effort: Effort) -> Reals:
     """The boxes (q, q', v, v') with q ≥ first that stay open: none where −Im G(0, q) > 0 is proved for q > first.
 
     first = 0: for all q > 0, with the limit of −Im G/q at 0 positive too.
@@ -97,7 +98,7 @@ def cover(strip: Strip, first: float, effort: Effort) -> Any:
     return boxes
 
 
-def _passed(strip: Strip, near: Near, boxes: Any, level: int) -> Any:
+def _passed(strip: Strip, near: Near, boxes: Reals, level: int) -> Any:
     side = min(_COARSE * 2 ** (level // 2), _FINE)
     low, high = boxes[:, [0, 2]], boxes[:, [1, 3]]
     passed = strip.moving.waves.passes(low.T, high.T)
@@ -110,7 +111,7 @@ def _passed(strip: Strip, near: Near, boxes: Any, level: int) -> Any:
     return passed
 
 
-def _halved(boxes: Any, level: int, high: float) -> Any:
+def _halved(boxes: Reals, level: int, high: float) -> Reals:
     """Each in two: in q or in v, whichever is relatively longer (v against `high`); boxes at q = 0 in turn."""
     if not len(boxes):
         return boxes

@@ -7,11 +7,11 @@ power is a polynomial that must stay positive, and |W| p^α times the same power
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 
 from mpsolve.numbers.affine import Affine, between
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.jets import UP
 from mpsolve.passivity.power import Quotient, Terms, moved, value
 from mpsolve.passivity.subject import Subject
@@ -49,7 +49,7 @@ class Envelope:
             self._known[power_of_two] = max(_supremum(self, chart) for chart in found)
         return self._known[power_of_two]
 
-    def constants(self, p0: Any) -> Any:
+    def constants(self, p0: Reals) -> Reals:
         """A bound for each p ≥ p₀ > 0 (an array of floats); the same for all p₀ from 2^_MOST_POWER on."""
         powers = np.clip(np.floor(np.log2(np.maximum(p0, 1e-30)) - 2.0**-20), _LEAST_POWER - 1, _MOST_POWER).astype(
             int
@@ -158,12 +158,12 @@ def _quotient(chart: Chart, x: Affine, y: Affine, theta: list[Affine]) -> tuple[
     return _full(top, ones), _full(bottom, ones)
 
 
-def _full(f: Affine, ones: Any) -> Affine:
+def _full(f: Affine, ones: Reals) -> Affine:
     """With arrays of one shape."""
     return Affine(f.a * ones, {name: b * ones for name, b in f.b.items()}, f.e * ones)
 
 
-def _halved(low: Any, high: Any, bottom: Affine, top: Affine, names: tuple[str, ...]) -> tuple[Any, Any]:
+def _halved(low: Reals, high: Reals, bottom: Affine, top: Affine, names: tuple[str, ...]) -> tuple[Reals, Reals]:
     """Each box in two, along the variable that moves |D|² most, and W too where |D|² > 0 is known already.
 
     Few boxes are halved again: a round takes as long for them as for one.
@@ -183,7 +183,7 @@ def _halved(low: Any, high: Any, bottom: Affine, top: Affine, names: tuple[str, 
     return low, high
 
 
-def _once_halved(low: Any, high: Any, weight: Any) -> tuple[Any, Any, Any]:
+def _once_halved(low: Reals, high: Reals, weight: Reals) -> tuple[Reals, Reals, Reals]:
     k, rows = np.argmax(weight, axis=1), np.arange(len(low))
     middle = low[rows, k] / 2 + high[rows, k] / 2
     first, second, weight = high.copy(), low.copy(), weight.copy()

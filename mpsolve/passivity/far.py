@@ -15,6 +15,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from mpsolve.numbers.affine import Affine
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.jets import UP
 from mpsolve.numbers.several import evaluated
 from mpsolve.passivity.decay import edges
@@ -53,7 +54,7 @@ def far(envelope: Envelope, least: float = 1.0, most: float = 1e7) -> float | No
     return X
 
 
-def _part(envelope: Envelope, low: Any, high: Any) -> Envelope:
+def _part(envelope: Envelope, low: Reals, high: Reals) -> Envelope:
     return Envelope(envelope.subject, tuple(low.tolist()), tuple(high.tolist()), envelope.of, envelope.beside)
 
 
@@ -153,13 +154,13 @@ def far_numbers(envelope: Envelope, least: float = 1.0, most: float = 1e7) -> Fa
     return _first(least, most, holds)
 
 
-def least_gap(subject: Subject, low: Any, high: Any) -> float | None:
+def least_gap(subject: Subject, low: Reals, high: Reals) -> float | None:
     """A lower bound of the distance of neighbouring places over the box; None for one place."""
     distances, _ = subject.distances(subject.parameters(low, high))
     return min((float(np.min(d.low)) for d in distances), default=None)
 
 
-def slopes(subject: Subject, x: Any) -> list[Fraction]:
+def slopes(subject: Subject, x: Reals) -> list[Fraction]:
     """Exponents γ with 0 ≤ γ ≤ 1 of the track at a point of the box."""
     point = [Fraction(float(t)) for t in x[0]]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -9,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.numbers.affine import Affine, between, constant
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.jets import UP
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.mesh import cells
@@ -32,7 +34,7 @@ def given_from(envelope: Envelope, X: float, gap: float | None) -> float:
     return C * (p ** (1 - alpha) / (alpha - 1) + sieve * p**-alpha) * MARGIN
 
 
-def layered(p: Any, least: Any, sieve: float) -> float:
+def layered(p: Reals, least: Any, sieve: float) -> float:
     """A lower bound of ∫ f |V|² dp for Σ|u|² = 1, where f ≥ `least` on the cells between the ends p.
 
     f is at least the sum of κ_n − κ_{n−1} over the n with f ≥ κ_n, for any 0 = κ_0 < κ_1 < …; and ∫ |V|² over an
@@ -94,13 +96,15 @@ class FarChart:
         total = layered(z * growth, self._least(envelope, parameters, z, X), sieve)
         return float(total * X ** -float(self.e) / MARGIN)
 
-    def of_blocks(self, blocks: Any, X: float, gap: float | None) -> float:
+    def of_blocks(self, blocks: Sequence[tuple[float, float, float]], X: float, gap: float | None) -> float:
         """What blocks take at q = X."""
         growth, sieve = self._scales(X, gap)
         total = sum(max((z2 - z1) * growth - sieve, 0.0) * kappa for z1, z2, kappa in blocks)
         return float(total * X ** -float(self.e) / MARGIN)
 
-    def blocks(self, envelope: Envelope, parameters: list[Affine], X: float, gap: float | None) -> Any:
+    def blocks(
+        self, envelope: Envelope, parameters: list[Affine], X: float, gap: float | None
+    ) -> tuple[tuple[float, float, float], ...]:
         """Intervals of z with a lower bound κ of what they take."""
         growth, sieve = self._scales(X, gap)
         z = self._ends(envelope, X, growth)
@@ -110,7 +114,7 @@ class FarChart:
     def _scales(self, X: float, gap: float | None) -> tuple[float, float]:
         return X ** float(self.gamma), 2 * np.pi / gap if gap is not None else 0.0
 
-    def _ends(self, envelope: Envelope, X: float, growth: float) -> Any:
+    def _ends(self, envelope: Envelope, X: float, growth: float) -> Reals:
         low, high = np.array([envelope.low]), np.array([envelope.high])
         own = ((high - low) / np.maximum(np.abs(high + low), 1e-300)).max(1, initial=0.0)
         ends = np.unique(
@@ -121,7 +125,7 @@ class FarChart:
         fine = ends[:-1, None] + (ends[1:] - ends[:-1])[:, None] * parts
         return np.unique(np.append(fine.ravel(), ends[-1]))
 
-    def _least(self, envelope: Envelope, parameters: list[Affine], z: Any, X: float) -> Any:
+    def _least(self, envelope: Envelope, parameters: list[Affine], z: Reals, X: float) -> Reals:
         """Lower bounds of q^e W/|D|² on the cells of z, for all q ≥ X; 0 where it may give."""
         k, m = self.gamma.numerator, self.gamma.denominator
         with np.errstate(all="ignore"):

@@ -28,7 +28,7 @@ class Germ:
     """G(σ₀ + t) = Σ value[k] t^k + …, and the derivatives of these coefficients in v."""
 
     value: tuple[Any, ...]
-    by_velocity: tuple[Any, ...]
+    by_velocity: tuple[acb, ...]
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class _Dual:
     """a + ε b with ε² = 0, ε the change of the velocity."""
 
     a: Any
-    b: Any
+    b: acb_series
 
     def __add__(self, other: _Dual) -> _Dual:
         return _Dual(self.a + other.a, self.b + other.b)
@@ -68,7 +68,7 @@ def germ(D: Polynomial, N: Polynomial, upper: int, sigma: Any, v: Any, order: in
     return Germ(_coefficients(total.a, size), _coefficients(total.b, size))
 
 
-def root_balls(D: Polynomial, sigma: Any, v: Any) -> list[Any]:
+def root_balls(D: Polynomial, sigma: Any, v: Any) -> list[acb]:
     """Balls with one root P each, all of them, over the balls sigma and v; `PrecisionError` where they may meet."""
     wide, middle = _at(D, sigma, v), _at(D, acb(sigma).mid(), arb(v).mid())
     if wide[wide.degree()].contains(0):
@@ -85,7 +85,7 @@ def root_balls(D: Polynomial, sigma: Any, v: Any) -> list[Any]:
     return balls
 
 
-def _polished(f: Any, root: Any) -> Any:
+def _polished(f: Any, root: acb) -> acb:
     """A point nearer to a root of f, by steps that double its digits; nothing is proved."""
     slope = f.derivative()
     for _ in range(_POLISH):
@@ -96,14 +96,14 @@ def _polished(f: Any, root: Any) -> Any:
     return root
 
 
-def _newton(D: Polynomial, root: Any, sigma: Any, v: Any) -> Any:
+def _newton(D: Polynomial, root: acb, sigma: Any, v: Any) -> Any:
     """Interval Newton for δ in P = root + δ, about a thin point, so that balls stand for small departures only."""
     time, about = _centre(root, sigma, v)
     local = _shifted(D, root, about)
     by_P, by_s = _slopes(local)
     value = _number(local, acb(0), time)
 
-    def slope(disc: Any) -> Any:
+    def slope(disc: acb) -> Any:
         s = time - v * disc
         return _number(by_P, disc, s) - v * _number(by_s, disc, s)
 
@@ -118,14 +118,14 @@ def _newton(D: Polynomial, root: Any, sigma: Any, v: Any) -> Any:
     raise PrecisionError("a p-root is not isolated over the ball: split it")
 
 
-def _centre(root: Any, sigma: Any, v: Any) -> tuple[Any, Any]:
+def _centre(root: acb, sigma: Any, v: Any) -> tuple[acb, acb]:
     """(the ball of s − s₀ at P = root, the thin s₀) for s = σ − vP."""
     middle, speed = acb(sigma).mid(), arb(v).mid()
     about = (middle - speed * root).mid()
     return (middle - speed * root - about) + (sigma - middle) - (v - speed) * root, about
 
 
-def _shifted(polynomial: Polynomial, P: Any, s: Any) -> Local:
+def _shifted(polynomial: Polynomial, P: acb, s: acb) -> Local:
     """The coefficients about a thin point: those of (P′ − P)^i (s′ − s)^j."""
     powers_P, powers_s = ([acb(1)] for _ in range(2))
     for x, powers, k in ((P, powers_P, 0), (s, powers_s, 1)):
@@ -147,7 +147,7 @@ def _slopes(local: Local) -> tuple[Local, Local]:
     return by_P, {(i, j - 1): j * c for (i, j), c in local.items() if j}
 
 
-def _number(local: Local, P: Any, s: Any) -> Any:
+def _number(local: Local, P: acb, s: acb) -> acb:
     total = acb(0)
     for row in reversed(_rows(local)):
         inner = acb(0)
@@ -157,7 +157,7 @@ def _number(local: Local, P: Any, s: Any) -> Any:
     return total
 
 
-def _rows(local: Local) -> list[list[Any]]:
+def _rows(local: Local) -> list[list[acb]]:
     rows = [[acb(0)] for _ in range(max((i for i, _ in local), default=-1) + 1)]
     for (i, j), c in local.items():
         rows[i] += [acb(0)] * (j + 1 - len(rows[i]))
@@ -165,7 +165,7 @@ def _rows(local: Local) -> list[list[Any]]:
     return rows
 
 
-def _at(D: Polynomial, sigma: Any, v: Any) -> Any:
+def _at(D: Polynomial, sigma: Any, v: Any) -> acb_poly:
     """D(P, σ − vP) as a polynomial in P."""
     s = acb_poly([sigma, -v])
     powers = [acb_poly([1])]
@@ -180,7 +180,7 @@ def _at(D: Polynomial, sigma: Any, v: Any) -> Any:
     return acb_poly(coefficients)
 
 
-def _residue(D: Polynomial, N: Polynomial, root: Any, sigma: Any, v: Any, size: int) -> _Dual:
+def _residue(D: Polynomial, N: Polynomial, root: acb, sigma: Any, v: Any, size: int) -> _Dual:
     """N/D_P along the root, whose constant coefficient the ball `root` holds."""
     one, zero = _series([1], size), _series([0], size)
     thin = root.mid()
@@ -190,7 +190,7 @@ def _residue(D: Polynomial, N: Polynomial, root: Any, sigma: Any, v: Any, size: 
     # s − s₀ = offset + t − v (P − thin), and ε stands for a change −P of s
     time, speed = _Dual(_series([offset, 1], size), -_series([thin], size)), _Dual(_series([v], size), one)
 
-    def along(own: Sequence[Any], dual: Sequence[Any]) -> tuple[_Dual, _Dual]:
+    def along(own: Sequence[acb], dual: Sequence[acb]) -> tuple[_Dual, _Dual]:
         P = _Dual(_series(own, size), _series(dual, size) if dual else zero)
         return P, time - speed * P
 
@@ -220,9 +220,9 @@ def _sum(local: Local, P: _Dual, s: _Dual, size: int) -> _Dual:
     return total
 
 
-def _series(coefficients: Sequence[Any], size: int) -> Any:
+def _series(coefficients: Sequence[Any], size: int) -> acb_series:
     return acb_series(list(coefficients)[:size], prec=size)
 
 
-def _coefficients(series: Any, size: int) -> tuple[Any, ...]:
+def _coefficients(series: acb_series, size: int) -> tuple[acb, ...]:
     return tuple(series[k] for k in range(size))

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.numbers.affine import Affine
+from mpsolve.numbers.arrays import Complexes, Integers, Reals, Truths
 from mpsolve.numbers.jets import TINY, UP, U, exponential
 from mpsolve.proof.definite import positive_definite
 
@@ -23,13 +24,13 @@ class Density:
     """On each cell Φ ≥ a + b_p ε_p + Σ b_k ε_k; middle, half: of the cells."""
 
     middle: Any
-    half: Any
+    half: Reals
     a: Any
-    b: dict[str, Any]
-    turn: Any
-    takes: Any
+    b: dict[str, Reals]
+    turn: Reals
+    takes: Truths
 
-    def ended(self, tail: Any) -> tuple[Density, Any]:
+    def ended(self, tail: Reals) -> tuple[Density, Reals]:
         """The same with cells up to one end of each box, where most is left; and what is given beyond it.
 
         tail: what is given beyond the end of each cell, at most.
@@ -44,7 +45,7 @@ class Density:
         a, turn = np.where(used, self.a, 0.0), np.where(used, self.turn, 0.0)
         return Density(self.middle, self.half, a, b, turn, self.takes), tail[np.arange(len(last)), last]
 
-    def taking(self, rows: Any) -> Density:
+    def taking(self, rows: Integers) -> Density:
         """Those of some boxes, with 0 in place of what the track may give."""
         takes = self.takes[rows]
         b = {name: np.where(takes, x[rows], 0.0) for name, x in self.b.items()}
@@ -52,7 +53,7 @@ class Density:
         return Density(self.middle[rows], self.half[rows], a, b, turn, takes)
 
 
-def positive(density: Density, tail: Any) -> Any:
+def positive(density: Density, tail: Reals) -> Any:
     """One contact: the integral itself; what is linear over a cell adds nothing."""
     length = 2 * density.half
     total = (density.a * length).sum(1)
@@ -62,7 +63,7 @@ def positive(density: Density, tail: Any) -> Any:
     return total - (moved + lost + tail) * UP > 0
 
 
-def definite(density: Density, distances: list[Affine], number: Any, tail: Any) -> Any:
+def definite(density: Density, distances: list[Affine], number: Any, tail: Reals) -> Any:
     """Several contacts: whether H₀ + Σ ε_k H_k + E − tail is positive definite.
 
     distances: the different distances; number[i, j], i > j: which one.
@@ -82,7 +83,7 @@ def definite(density: Density, distances: list[Affine], number: Any, tail: Any) 
     return positive_definite(H, E)
 
 
-def _diagonal(density: Density, names: list[str]) -> tuple[Any, Any]:
+def _diagonal(density: Density, names: list[str]) -> tuple[Reals, Reals]:
     length = 2 * density.half
     rows = [density.a, *(density.b.get(name, np.zeros_like(density.a)) for name in names)]
     values = np.stack([(row * length).sum(1) for row in rows], 1)
@@ -90,7 +91,7 @@ def _diagonal(density: Density, names: list[str]) -> tuple[Any, Any]:
     return values, lost * UP + TINY
 
 
-def _entry(density: Density, distance: Affine, names: list[str]) -> tuple[Any, Any]:
+def _entry(density: Density, distance: Affine, names: list[str]) -> tuple[Complexes, Reals]:
     """The entry of a pair of places at this distance: middle and slopes over the boxes, a bound of the rest."""
     ones = np.ones((len(density.a), 1))
     D = distance.a * ones
@@ -118,7 +119,7 @@ def _entry(density: Density, distance: Affine, names: list[str]) -> tuple[Any, A
     return np.stack(values, 1), (error * 2 * density.half).sum(1) * UP + TINY
 
 
-def _sinc(x: Any) -> tuple[Any, Any]:
+def _sinc(x: Reals) -> tuple[Reals, Reals]:
     """sin(x)/x for x ≥ 0, and a bound of its error."""
     small = x < 1
     y = np.where(small, x * x, 0)
@@ -132,7 +133,7 @@ def _sinc(x: Any) -> tuple[Any, Any]:
     return np.where(small, series, far), np.where(small, 64 * U, lost * 2 + 64 * U)
 
 
-def _bend(x: Any) -> tuple[Any, Any]:
+def _bend(x: Reals) -> tuple[Reals, Reals]:
     """(sin x − x cos x)/x² for x ≥ 0, and a bound of its error."""
     small = x < 1
     y = np.where(small, x * x, 0)

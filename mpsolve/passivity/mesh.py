@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.float64 import companions
 from mpsolve.passivity.subject import Subject, floats_of
 
@@ -15,7 +16,7 @@ _FAR = 100.0  # times the median: a root that is as good as infinite
 _LEAST = 1e-6  # of the reach: the width that is given to a wave without damping
 
 
-def cells(subject: Subject, q: Any, x: Any, spread: Any, side: int) -> Any:
+def cells(subject: Subject, q: Any, x: Reals, spread: Reals, side: int) -> Reals:
     """The ends of cells of wavenumber, ascending, shape (boxes, ends), for q and the parameters at points.
 
     spread: by how much q and the parameters vary about them, relative: cells need not be finer than what that blurs.
@@ -37,7 +38,7 @@ def cells(subject: Subject, q: Any, x: Any, spread: Any, side: int) -> Any:
     return np.sort(np.clip(ends, -reach[:, None], reach[:, None]), axis=1)
 
 
-def wavenumbers(subject: Subject, q: Any, v: Any, x: Any) -> Any:
+def wavenumbers(subject: Subject, q: Any, v: Any, x: Reals) -> Any:
     """The roots p of D(ip, i(q − vp)), shape (boxes, degree)."""
     rows = subject.rows
     degree = max(i + j for i, j in rows)

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.numbers.affine import Affine, between
+from mpsolve.numbers.arrays import Reals, Truths
 from mpsolve.numbers.jets import TINY, UP, U
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.mesh import cells
@@ -39,14 +40,14 @@ class Near:
         """Of φ_z at short waves."""
         return Envelope(self.subject, self.low, self.high, self.subject.power.slope, self.reach)
 
-    def passes(self, low: Any, high: Any, side: int) -> Any:
+    def passes(self, low: Reals, high: Reals, side: int) -> Truths:
         """For boxes (q, parameters): whether −Im G(0, q)/q > 0 is proved on the whole box, at q = 0 its limit."""
         count = max(1, _CELLS // (8 * side))
         parts = [self._passes(low[k : k + count], high[k : k + count], side) for k in range(0, len(low), count)]
         return np.concatenate(parts) if parts else np.zeros(0, bool)
 
     @np.errstate(all="ignore")
-    def _passes(self, low: Any, high: Any, side: int) -> Any:
+    def _passes(self, low: Reals, high: Reals, side: int) -> Any:
         subject, middle = self.subject, low / 2 + high / 2
         spread = ((high - low) / np.maximum(np.abs(high + low), 1e-300))[:, 1:].max(1, initial=0.0)
         ends = np.maximum(cells(subject, middle[:, 0], middle[:, 1:], spread, side), 0)
@@ -73,7 +74,9 @@ class Near:
         return 4 * v[:, None] ** 2 * C * np.maximum(end, TINY) ** (3.0 - beta) / (beta - 3) * (1 + 64 * U)
 
 
-def _integrand(subject: Subject, p: Affine, q: Affine, v: Affine, parameters: list[Affine]) -> tuple[Any, list[Any]]:
+def _integrand(
+    subject: Subject, p: Affine, q: Affine, v: Affine, parameters: list[Affine]
+) -> tuple[Reals, list[Reals]]:
     """On each cell a and b_k with integrand, averaged over p, ≥ a + Σ b_k ε_k."""
     ones = np.ones((max(len(q.a), len(p.a)), p.a.shape[1]))
     y, line = p.square(), v * p

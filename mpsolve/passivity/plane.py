@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from mpsolve.characteristic.table import Table
+from mpsolve.numbers.arrays import Reals, Truths
 from mpsolve.numbers.jets import UP, U
 from mpsolve.tracks.waveguide import Polynomial
 
@@ -70,7 +69,7 @@ def negative(polynomial: Polynomial, box: tuple[tuple[float, float], tuple[float
     return False
 
 
-def bounds(table: Table, boxes: tuple[Any, ...]) -> tuple[Any, Any, Any]:
+def bounds(table: Table, boxes: tuple[Reals, ...]) -> tuple[Reals, Reals, Truths]:
     """Lower and upper bounds of a real polynomial on boxes (x ± rx) × (y ± ry), by its expansion at the middle.
 
     Third: whether it varies more along x than along y, which is a hint only.
@@ -87,8 +86,8 @@ def bounds(table: Table, boxes: tuple[Any, ...]) -> tuple[Any, Any, Any]:
     return middle - radius - 8 * U * np.abs(middle), middle + radius + 8 * U * np.abs(middle), by_x
 
 
-def _grid(x: tuple[float, float], y: tuple[float, float], nx: int, ny: int) -> tuple[Any, ...]:
-    def cells(ends: tuple[float, float], n: int) -> tuple[Any, Any]:
+def _grid(x: tuple[float, float], y: tuple[float, float], nx: int, ny: int) -> tuple[Reals, ...]:
+    def cells(ends: tuple[float, float], n: int) -> tuple[Reals, Reals]:
         edges_ = np.linspace(*ends, n + 1)
         middle = (edges_[1:] + edges_[:-1]) / 2
         return middle, np.maximum(edges_[1:] - middle, middle - edges_[:-1]) * UP
@@ -98,7 +97,7 @@ def _grid(x: tuple[float, float], y: tuple[float, float], nx: int, ny: int) -> t
     return parts[0][0].ravel(), parts[1][0].ravel(), parts[0][1].ravel(), parts[1][1].ravel()
 
 
-def clipped(boxes: tuple[Any, ...], product: float) -> tuple[Any, ...]:
+def clipped(boxes: tuple[Reals, ...], product: float) -> tuple[Reals, ...]:
     """Boxes in x, y ≥ 0 that hold all points of the given ones with x y ≤ product."""
     x, rx, y, ry = boxes
     low, high = np.maximum(x - rx - 4 * U * x, 0.0), (x + rx) * UP
@@ -113,7 +112,7 @@ def clipped(boxes: tuple[Any, ...], product: float) -> tuple[Any, ...]:
     return x, np.maximum(high - x, x - low) * UP + 4 * U * x, y, np.maximum(above - y, y - below) * UP + 4 * U * y
 
 
-def _halved(boxes: tuple[Any, ...], by_x: Any) -> tuple[Any, ...]:
+def _halved(boxes: tuple[Reals, ...], by_x: Truths) -> tuple[Reals, ...]:
     """Each box in two, along x or along y."""
     x, rx, y, ry = boxes
     dx, dy = np.where(by_x, rx / 2, 0.0), np.where(by_x, 0.0, ry / 2)

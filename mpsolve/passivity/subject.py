@@ -8,18 +8,22 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.affine import Affine, between
+from mpsolve.numbers.arrays import Integers, Reals
 from mpsolve.numbers.several import plus
 from mpsolve.passivity.power import Power, coefficient
 from mpsolve.problem.reduced import Guide, Reduced
 from mpsolve.tracks.passive import passivity
 from mpsolve.tracks.structure import passive_by_structure
 from mpsolve.tracks.waveguide import Track
+
+if TYPE_CHECKING:
+    from mpsolve.problem.family import Family
 
 Free = Mapping[tuple[int, ...], Fraction]
 """A polynomial in the free parameters."""
@@ -47,7 +51,7 @@ class Subject:
         return Subject.of_guide(reduced.guide, reduced.places)
 
     @staticmethod
-    def of_family(family: Any) -> Subject:
+    def of_family(family: Family) -> Subject:
         """The family's track, velocity and places; its parameters x̂ in its order.
 
         PrecisionError where the track is not known to be passive at rest for all parameters: by the form of its
@@ -77,14 +81,14 @@ class Subject:
     def names(self) -> tuple[str, ...]:
         return self.power.names
 
-    def parameters(self, low: Any, high: Any) -> list[Affine]:
+    def parameters(self, low: Reals, high: Reals) -> list[Affine]:
         """The parameters over boxes: arrays of shape (boxes, parameters) → forms of shape (boxes, 1)."""
         return [between(low[:, k : k + 1], high[:, k : k + 1], name) for k, name in enumerate(self.names)]
 
     def speed(self, parameters: Sequence[Affine]) -> Affine:
         return coefficient(self.v.items(), parameters)
 
-    def distances(self, parameters: Sequence[Affine]) -> tuple[list[Affine], Any]:
+    def distances(self, parameters: Sequence[Affine]) -> tuple[list[Affine], Integers]:
         """The different ξ_i − ξ_j, i > j, over the boxes, and the number of each; −1 on and above the diagonal."""
         n = len(self.places)
         number = np.full((n, n), -1)
@@ -96,12 +100,12 @@ class Subject:
         return [coefficient(key, parameters) for key in kept], number
 
 
-def _is_free(family: Any) -> bool:
+def _is_free(family: Family) -> bool:
     """Whether a parameter of the track at rest is left free."""
     return any(any(powers) for a in (family.D_rest, family.N_rest) for row in a.values() for powers, _ in row)
 
 
-def floats_of(terms: Iterable[tuple[tuple[int, ...], Fraction]], x: Any) -> Any:
+def floats_of(terms: Iterable[tuple[tuple[int, ...], Fraction]], x: Reals) -> Reals:
     """A polynomial in the parameters at points x (points, parameters), in floats."""
     total = np.zeros(len(x))
     for powers, c in terms:

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.table import Table
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.float64 import distinct, value_at
 from mpsolve.passivity.absorption import Absorption, in_block
 from mpsolve.passivity.decay import Edge
@@ -52,7 +53,7 @@ class Search:
 
 
 def best_blocks(
-    z: Any, ends: Any, middles: Any, growth: float, sieve: float
+    z: Reals, ends: Any, middles: Reals, growth: float, sieve: float
 ) -> tuple[tuple[float, float, float], ...]:
     """Disjoint intervals with ends in z for which Σ (length·growth − sieve)·least value is largest; few of them."""
     cells = np.minimum(np.minimum(ends[1:], ends[:-1]), middles)
@@ -79,6 +80,6 @@ def best_blocks(
     return tuple(reversed(blocks))
 
 
-def ratio(x: Any, y: Any, top: Any, bottom: Any) -> Any:
+def ratio(x: Reals, y: Any, top: Reals, bottom: Reals) -> Any:
     x, y = np.broadcast_arrays(x, y)
     return value_at(x, y, top) / value_at(x, y, bottom)

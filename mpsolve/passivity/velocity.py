@@ -11,12 +11,13 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from flint import fmpq_poly
+from flint import arb, fmpq_poly
 
 from mpsolve.characteristic.floats import Receptance
 from mpsolve.characteristic.splitting import upper_count
 from mpsolve.characteristic.symbol import Symbol
 from mpsolve.errors import EffortError, InputError, PrecisionError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.balls import acb, precision, rational_ball
 from mpsolve.numbers.decimals import working_bits
 from mpsolve.numbers.model import velocities, whole
@@ -80,7 +81,7 @@ def _checked(track: Track | Waveguide) -> Guide:
     return track_guide(track, Fraction(0))
 
 
-def _speeds(guide: Guide, high: Fraction) -> list[Any]:
+def _speeds(guide: Guide, high: Fraction) -> list[arb]:
     """The wave speeds up to `high`, scaled, as balls."""
     top = max(i + j for i, j in guide.D_rest)
     row = [Fraction(0)] * (top + 1)
@@ -216,14 +217,14 @@ class _Search:
             v = value * rational_ball(self.unit)
         return self._result(Kind.LOST, v, v, Status.UNVERIFIED)
 
-    def _covered(self, low: Fraction, high: float, first: float) -> Any:
+    def _covered(self, low: Fraction, high: float, first: float) -> Reals:
         return cover(Strip(Moving(self.guide, self.upper), _down(low), high), first, self.effort)
 
     def _open(self, code: str, message: str, to: Any, remedy: str = "") -> PassivityVelocity:
         return self._result(Kind.UNDECIDED, None, to, Status.UNDECIDED, Reason(code, message, {}, remedy))
 
     def _result(
-        self, kind: Kind, value: Any, to: Any, status: Status, reason: Reason | None = None
+        self, kind: Kind, value: Any, to: arb | None, status: Status, reason: Reason | None = None
     ) -> PassivityVelocity:
         with precision(self.bits):
             speeds = tuple(ball * rational_ball(self.unit) for ball in self.speeds)

@@ -15,6 +15,7 @@ import numpy as np
 
 from mpsolve.characteristic.discs import side_nodes
 from mpsolve.characteristic.free_roots import roots_over
+from mpsolve.numbers.arrays import Reals, Truths
 from mpsolve.numbers.forms import Forms
 from mpsolve.numbers.jets import TINY, UP, U
 from mpsolve.numbers.quadratic import Quadratic
@@ -34,7 +35,7 @@ class Waves:
         """D and N in (σ, v), by powers of P."""
         return _by_powers(self.guide.D_rest), _by_powers(self.guide.N_rest)
 
-    def receptance(self, low: Any, high: Any) -> tuple[Quadratic, Any]:
+    def receptance(self, low: Reals, high: Reals) -> tuple[Quadratic, Truths]:
         """(G(0) as models over the boxes (q, v) between corners of shape (2, boxes), where they are bounded)."""
         with np.errstate(all="ignore"):
             m = low / 2 + high / 2
@@ -49,7 +50,7 @@ class Waves:
             G = roots.weight[:, : self.upper].sum(-1)
             return G, roots.good[:, : self.upper].all(1) & np.isfinite(G.e) & np.isfinite(G.k).all(0)
 
-    def passes(self, low: Any, high: Any) -> Any:
+    def passes(self, low: Reals, high: Reals) -> Any:
         """For boxes (q, v), q ≥ 0: whether −Im G(0, q) > 0 is proved, −Im G/q > 0 where the box begins at q = 0."""
         touching = low[0] == 0
         below = low.copy()
@@ -63,7 +64,7 @@ class Waves:
             slope = k[1] - np.abs(k[3]) - np.abs(k[4]) - 2 * slack * UP
             return good & (np.where(touching, slope, away) > 0)
 
-    def rises(self, low: Any, high: Any) -> Any:
+    def rises(self, low: Reals, high: Reals) -> Any:
         """For boxes (q, v): whether ∂²Im G/∂q∂v > 0 is proved on them.
 
         Models of boxes twice as wide are taken: where a remainder is at most e on |u| ≤ 1, its mixed derivative is at

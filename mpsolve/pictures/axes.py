@@ -11,6 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Reals
+
 WIDE, HIGH = 480, 320  # a text of 12 is 9 px high on a telephone of 390 px
 LEFT, RIGHT, TOP, BOTTOM = 70, 14, 14, 44
 
@@ -74,7 +76,7 @@ def end_mark(x: float, y: float) -> str:
     return f'<path class="end" d="M{x:.1f} {y:.1f}m-4.5 -4.5l9 9m0 -9l-9 9"/>'
 
 
-def marked(axes: Axes, x: Any, y: Any, k: int) -> str:
+def marked(axes: Axes, x: Reals, y: Any, k: int) -> str:
     """Marks along the k-th line, shifted from line to line."""
     px, py = np.broadcast_arrays(axes.px(x), axes.py(y))
     out, last = [], -_MARKS + 11.0 * (k % 4)

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Integers
 from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, RIGHT, TOP, WIDE, Axes, box, disc, line, path, svg, text
 
 SOME, MANY, OPEN = "some", "many", "open"
@@ -74,7 +75,7 @@ def chart_picture(
     return svg([*parts, *legend], title, HIGH + 4 + _ROW * -(-len(legend) // 4))
 
 
-def _areas(axes: Axes, edges: tuple[list[float], list[float]], kinds: Any) -> list[str]:
+def _areas(axes: Axes, edges: tuple[list[float], list[float]], kinds: Integers) -> list[str]:
     """One path for each kind; its rows of cells overlap a little, so that no gap shows between them."""
     d: dict[int, list[str]] = {}
     for j in range(kinds.shape[1]):
@@ -95,7 +96,7 @@ def _hatched(x: float, y: float, wide: float, high: float, name: str) -> str:
     return f'<rect class="area {name}" {size} fill="url(#chart-{name})"/>'
 
 
-def _borders(axes: Axes, edges: tuple[list[float], list[float]], kinds: Any) -> list[str]:
+def _borders(axes: Axes, edges: tuple[list[float], list[float]], kinds: Integers) -> list[str]:
     """Lines between cells of different kinds."""
     d = []
     for i, j in np.argwhere(kinds[1:] != kinds[:-1]):
@@ -113,7 +114,7 @@ def _edges(values: Any, cells: int) -> list[float]:
     return [float(v[0]), *middle.tolist(), float(v[-1])]
 
 
-def _runs(row: Any) -> list[tuple[int, int, int]]:
+def _runs(row: Integers) -> list[tuple[int, int, int]]:
     ends = np.flatnonzero(np.diff(row)).tolist()
     starts = [0, *[k + 1 for k in ends]]
     return [(a, b, int(row[a])) for a, b in zip(starts, [*ends, len(row) - 1], strict=True)]

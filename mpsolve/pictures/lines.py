@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Reals
 from mpsolve.pictures.axes import (
     BOTTOM,
     HIGH,
@@ -41,7 +42,7 @@ class Curve:
     ends: at which of its points it ends at a cut, which has a mark of its own.
     """
 
-    x: Any
+    x: Reals
     y: Any
     name: str = ""
     beyond: float | None = None
@@ -143,7 +144,7 @@ class _Word:
         return left, left + wide
 
 
-def _ink(axes: Axes, curves: Sequence[Curve]) -> Any:
+def _ink(axes: Axes, curves: Sequence[Curve]) -> Reals:
     """Points (2, n) of the picture on the curves, close to each other."""
     points = [np.zeros((2, 0))]
     for curve in curves:
@@ -157,13 +158,13 @@ def _ink(axes: Axes, curves: Sequence[Curve]) -> Any:
     return np.concatenate(points, 1)
 
 
-def _uprights(axes: Axes, marks: Sequence[Mark]) -> Any:
+def _uprights(axes: Axes, marks: Sequence[Mark]) -> Reals:
     """Points (2, n) on the lines of the marks."""
     y = np.arange(TOP, HIGH - BOTTOM, 4.0)
     return np.array([(float(axes.px(mark.x)), at) for mark in marks for at in y]).reshape(-1, 2).T
 
 
-def _placed(words: list[_Word], ink: Any, taken: list[_Word]) -> None:
+def _placed(words: list[_Word], ink: Reals, taken: list[_Word]) -> None:
     """The first of the words that lies over nothing, else over no other word, else the first of all."""
     clear = [word for word in words if not any(_meets(word, other) for other in taken)]
     free = (word for word in clear if not _over(word, ink))
@@ -175,14 +176,14 @@ def _meets(a: _Word, b: _Word) -> bool:
     return min(right, high) > max(left, low) and abs(a.y - b.y) < _APART
 
 
-def _over(word: _Word, ink: Any) -> bool:
+def _over(word: _Word, ink: Reals) -> bool:
     """Whether a curve runs through the word."""
     left, right = word.reach
     x, y = ink
     return bool(((x > left - 2) & (x < right + 2) & (y > word.y - 12) & (y < word.y + 4)).any())
 
 
-def _marks(axes: Axes, marks: Sequence[Mark], ink: Any, taken: list[_Word]) -> list[str]:
+def _marks(axes: Axes, marks: Sequence[Mark], ink: Reals, taken: list[_Word]) -> list[str]:
     parts = []
     heights = [*np.arange(_LOWEST, TOP + 20, -8.0).tolist()]
     for mark in sorted(marks, key=lambda one: one.x):
@@ -202,7 +203,7 @@ def _inside(x: float, said: str, anchor: str) -> bool:
     return left >= LEFT and right <= WIDE - RIGHT
 
 
-def _names(axes: Axes, curves: Sequence[Curve], ink: Any, taken: list[_Word]) -> None:
+def _names(axes: Axes, curves: Sequence[Curve], ink: Reals, taken: list[_Word]) -> None:
     """Short names beside the curves, as near to their ends as there is room."""
     for own, curve in enumerate(curves):
         alone, *others = (_ink(axes, some) for some in ([curve], [*curves[:own], *curves[own + 1 :]]))
@@ -219,7 +220,7 @@ def _names(axes: Axes, curves: Sequence[Curve], ink: Any, taken: list[_Word]) ->
         _placed([*(word for word in words if _own(word, alone, *others)), *words], ink, taken)
 
 
-def _own(word: _Word, own: Any, others: Any) -> bool:
+def _own(word: _Word, own: Reals, others: Reals) -> bool:
     """Whether the curve is clearly nearer to the word than any other one is."""
     middle = np.array([[sum(word.reach) / 2], [word.y - 4]])
     near, next_near = (float(np.hypot(*(ink - middle)).min(initial=np.inf)) for ink in (own, others))

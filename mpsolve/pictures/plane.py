@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
 from mpsolve.batch.view import cuts_in, fitting_window, free_height
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, RIGHT, TOP, WIDE, Axes, box, clip, disc, line, svg, text
 from mpsolve.problem.cases import as_problem
 from mpsolve.report.spectrum_words import units_of
@@ -16,7 +16,7 @@ from mpsolve.spectrum.spectrum import Spectrum
 
 
 def plane_picture(
-    roots: Any, cuts: Sequence[Any], width: float, depth: float, height: float, chosen: int | None = None,
+    roots: Complexes, cuts: Sequence[Complexes], width: float, depth: float, height: float, chosen: int | None = None,
     name: str = "plane", unit: str = "rad/s", numbers: Sequence[str] = (),
 ) -> str:  # fmt: skip
     """|Re q| ≤ width, −depth ≤ Im q ≤ height: circles decay, squares grow; the chosen one is ringed.
@@ -70,7 +70,7 @@ def spectrum_picture(spectrum: Spectrum, name: str = "plane") -> tuple[str, bool
 _BESIDE = ((9, -6), (9, 16), (-18, -6), (-18, 16), (-4, -11), (-4, 21))
 
 
-def _numbered(axes: Axes, roots: Any, numbers: Sequence[str]) -> list[str]:
+def _numbered(axes: Axes, roots: Complexes, numbers: Sequence[str]) -> list[str]:
     """The words beside the roots, those that would lie over another one left out."""
     marks = [(float(axes.px(q.real)), float(axes.py(q.imag))) for q in roots]
     taken: list[tuple[float, float]] = []

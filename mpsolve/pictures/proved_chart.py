@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Truths
 from mpsolve.pictures.axes import alone
 from mpsolve.pictures.chart import Border, chart_picture
 from mpsolve.problem.over import Over
@@ -65,7 +66,7 @@ def drawn(found: Chart) -> Any:
     return _filled(np.where(wrong, counts, filled), beside & line & ~wrong, 2)
 
 
-def _filled(counts: Any, cells: Any, rounds: int) -> Any:
+def _filled(counts: Any, cells: Truths, rounds: int) -> Any:
     """Open ones of these cells as neighbours are, one round after another."""
     high, wide = counts.shape
     for _ in range(rounds):

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Complexes, Reals
 from mpsolve.pictures.axes import BOTTOM, LEFT, RIGHT, TOP, WIDE, Axes, alone, frame, label, svg, text, ticks
 from mpsolve.problem.problem import Problem
 from mpsolve.spectrum.shape import root_shape
@@ -20,14 +21,14 @@ _PLAYED = 12.0  # s, of a film
 _BEYOND = 1.5  # of the largest within the model: as far as what is beyond it is drawn
 
 
-def stretch(problem: Problem, points: int) -> Any:
+def stretch(problem: Problem, points: int) -> Reals:
     """Places under the vehicles and beside them, in m, to 0.1 mm."""
     contacts = [float(x) for x in problem.pencil.places]
     reach = max(6.0, 0.6 * (max(contacts) - min(contacts)))
     return np.linspace(min(contacts) - reach, max(contacts) + reach, points).round(4)
 
 
-def shape_along(problem: Problem, q: Any, multiplicity: int = 1) -> tuple[Any, Any, dict[str, complex]]:
+def shape_along(problem: Problem, q: Any, multiplicity: int = 1) -> tuple[Reals, Complexes, dict[str, complex]]:
     """The shape of a root, a ball: places, the rail there, and the bodies by their names."""
     x = stretch(problem, _POINTS)
     found = root_shape(problem, q, multiplicity, places=x.tolist())
@@ -36,7 +37,7 @@ def shape_along(problem: Problem, q: Any, multiplicity: int = 1) -> tuple[Any, A
 
 
 def moving_shape(
-    places: Any, rail: Any, contacts: Any, bodies: dict[str, complex], seconds: float, x_title: str = "x, m"
+    places: Reals, rail: Any, contacts: Any, bodies: dict[str, complex], seconds: float, x_title: str = "x, m"
 ) -> str:
     """The rail and the bodies in one vibration: they move through one period, in `seconds`, without growth.
 
@@ -52,7 +53,12 @@ def moving_shape(
 
 
 def shape_in_time(
-    places: Any, rail: Any, contacts: Any, bodies: dict[str, Any], seconds: float, more: Sequence[str] = ("", "")
+    places: Reals,
+    rail: Reals,
+    contacts: Any,
+    bodies: dict[str, Reals],
+    seconds: float,
+    more: Sequence[str] = ("", ""),
 ) -> str:
     """The rail and the bodies at one time after the other, in `seconds`; scales as of `moving_shape`.
 
@@ -72,7 +78,7 @@ def film(found: Vibration, title: str) -> str:
     """
     within, times, event = found.within, found.times, found.lift_off
 
-    def held(rows: Any) -> Any:
+    def held(rows: Reals) -> Reals:
         most = _BEYOND * (float(np.abs(rows[..., within]).max(initial=0.0)) or 1.0)
         return np.clip(rows, -most, most)
 
@@ -89,9 +95,9 @@ def film(found: Vibration, title: str) -> str:
 
 
 def _frames(
-    places: Any,
-    rail: Any,
-    bodies: dict[str, Any],
+    places: Reals,
+    rail: Reals,
+    bodies: dict[str, Reals],
     contacts: Any,
     seconds: float,
     x_title: str,
@@ -126,14 +132,14 @@ def _frames(
     return svg(parts, said, high)
 
 
-def numbered(bodies: dict[str, Any]) -> str:
+def numbered(bodies: dict[str, complex]) -> str:
     """Which coordinate has which number, where the picture has no room for names."""
     if len(bodies) <= _NAMED:
         return ""
     return "<p>" + ", ".join(f"{k}: {escape(name)}" for k, name in enumerate(bodies, 1)) + "</p>"
 
 
-def _boxes(axes: Axes, bodies: dict[str, Any], seconds: float) -> list[str]:
+def _boxes(axes: Axes, bodies: dict[str, Reals], seconds: float) -> list[str]:
     """Each coordinate of the vehicles as a box that moves up and down, with its name."""
     parts = []
     width = (WIDE - LEFT - RIGHT) / max(len(bodies), 1)

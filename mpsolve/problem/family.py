@@ -51,7 +51,7 @@ class Family:
     v: Several
     places: tuple[Several, ...]
     index: tuple[int, ...]
-    S: tuple[Any, Any, Any]
+    S: tuple[tuple[tuple[Several, ...], ...], tuple[tuple[Several, ...], ...], tuple[tuple[Several, ...], ...]]
     B: Any
     h: tuple[Several, ...]
 
@@ -127,6 +127,7 @@ def family_of(problem: Problem, over: Mapping[str, Interval]) -> Family:
     _require_order(places, over, units)
     S, B = _vehicle(pencil, base, ring)
     h = tuple(ring.constant(x) / base.guide.g for x in pencil.h)
+    _require_contacts(h, over)
     return Family(
         problem=problem,
         over=dict(over),
@@ -172,8 +173,16 @@ def _at_shares(problem: Problem, over: Mapping[str, Interval], shares: Mapping[s
     return problem
 
 
-def factors_last(entries: list[tuple[str, Any, Any]]) -> list[tuple[str, Any, Any]]:
+def factors_last(entries: list[tuple[str, Any, Any]]) -> list[tuple[str, Fraction | None, Any]]:
     return sorted(entries, key=lambda entry: entry[0].startswith("scale."))
+
+
+def _require_contacts(h: tuple[Several, ...], over: Mapping[str, Interval]) -> None:
+    for powers, _ in (term for x in h for term in x):
+        for path, power in zip(over, powers, strict=True):
+            if power < 0 and over[path][0] == 0:
+                stated = "begins at 0, where a contact spring carries no force and its compliance has no limit"
+                raise InputError(path, f"{stated}: begin above 0")
 
 
 def _base(
@@ -214,11 +223,11 @@ def _vehicle(pencil: Pencil, base: Reduced, ring: Ring) -> tuple[tuple[Any, Any,
     return (_constants(free[0], ring), _constants(free[1], ring), _constants(free[2], ring)), right
 
 
-def _values(rows: Any, x: Sequence[Fraction]) -> Rows:
+def _values(rows: Sequence[Sequence[Several]], x: Sequence[Fraction]) -> Rows:
     return tuple(tuple(c.at(x) for c in row) for row in rows)
 
 
-def _constants(rows: Any, ring: Ring) -> Any:
+def _constants(rows: Any, ring: Ring) -> tuple[tuple[Several, ...], ...]:
     return tuple(tuple(ring.constant(x) for x in row) for row in rows)
 
 

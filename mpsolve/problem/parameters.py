@@ -226,6 +226,7 @@ def _checked(number: Any, path: str) -> Any:
 
 
 def _unknown(path: str, known: dict[str, Fraction]) -> InputError:
-    near = get_close_matches(path, known, n=1, cutoff=0.6)
-    advice = f"did you mean {near[0]}? The" if near else "the"
+    lower = {name.lower(): name for name in known}
+    near = get_close_matches(path.lower(), lower, n=1, cutoff=0.6)
+    advice = f"did you mean {lower[near[0]]}? The" if near else "the"
     return InputError(path, f"is unknown: {advice} parameters are {', '.join(known)}")

@@ -34,7 +34,7 @@ def load(spec: Mapping[str, Any] | str | os.PathLike[str], known: Mapping[str, s
     return content
 
 
-def choice(content: Mapping[str, Any], key: str, allowed: tuple[str, ...]) -> str:
+def choice(content: Mapping[str, str], key: str, allowed: tuple[str, ...]) -> str:
     """The text under `key`, one of `allowed`; InputError with the nearest of them."""
     listed = ", ".join(f'"{one}"' for one in allowed)
     if key not in content:
@@ -47,7 +47,7 @@ def choice(content: Mapping[str, Any], key: str, allowed: tuple[str, ...]) -> st
     raise InputError(key, f'is {stated}: did you mean "{near[0]}"?' if near else f"is {stated}: give one of {listed}")
 
 
-def steps(given: Mapping[Any, Any], key: str) -> tuple[Fraction, Fraction, int]:
+def steps(given: Mapping[str, Any], key: str) -> tuple[Fraction, Fraction, int]:
     """start, step and number of start, start + step, … up to stop, which counts if whole steps lead there."""
     ends = rationals(given, key, _RANGE)
     start, stop, step = ends["start"], ends["stop"], ends["step"]
@@ -57,7 +57,7 @@ def steps(given: Mapping[Any, Any], key: str) -> tuple[Fraction, Fraction, int]:
     return start, step, (stop - start) // step + 1
 
 
-def rationals(given: Mapping[Any, Any], key: str, known: Mapping[str, str]) -> dict[str, Fraction]:
+def rationals(given: Mapping[str, Any], key: str, known: Mapping[str, str]) -> dict[str, Fraction]:
     """The numbers in a table that has all keys of `known`, each with its meaning, and no other."""
     check_keys(given, known, f"{key}.")
     numbers = {}

@@ -234,7 +234,7 @@ def sources_of(content: Mapping[str, Any]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(found))
 
 
-def _texts(given: Any, key: str) -> list[str]:
+def _texts(given: str | None, key: str) -> list[str]:
     each = [] if given is None else given if isinstance(given, list) else [given]
     for one in each:
         if type(one) is not str or not one.strip():

@@ -67,7 +67,7 @@ def separate(roots: Meeting, seed: Any, digits: int) -> list[RootBall]:
         bits *= 2
 
 
-def _recentred(roots: Meeting, centre: Any, shrink: int) -> _Found:
+def _recentred(roots: Meeting, centre: acb, shrink: int) -> _Found:
     """The series about the centre of gravity of the m roots that Pellet's test finds, and m."""
     for _ in range(3):
         series = roots.series(centre, shrink)
@@ -87,7 +87,7 @@ def _multiplicity(series: Taylor, most: int) -> int:
     return 0
 
 
-def _inner_roots(found: _Found) -> list[Any]:
+def _inner_roots(found: _Found) -> list[acb]:
     """Approximations to the m small roots: those of the series cut after its m-th term."""
     series = found.series
     scale = arb(2) ** -40 * series.outer
@@ -99,7 +99,7 @@ def _inner_roots(found: _Found) -> list[Any]:
     return [(series.centre + scale * z.mid()).mid() for z in roots]
 
 
-def _isolated(roots: Meeting, approximations: list[Any], bits: int, digits: int) -> list[RootBall] | None:
+def _isolated(roots: Meeting, approximations: list[acb], bits: int, digits: int) -> list[RootBall] | None:
     """Disjoint balls of all roots, None where they do not come apart; with more digits where they must."""
     for enough in (digits, 2 * digits):
         try:

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.arrays import Complexes, Reals, Truths
 from mpsolve.proof.effort import Effort
 
 Test = Callable[[Any, Any], Any]
@@ -32,7 +33,7 @@ class OpenPieceError(PrecisionError):
         self.place, self.length = place, length
 
 
-def midpoints(a: Any, b: Any) -> Any:
+def midpoints(a: Any, b: Complexes) -> Any:
     """The middles of straight pieces, rounded."""
     return (a + b) / 2
 
@@ -61,13 +62,13 @@ def cover(points: Any, test: Test, effort: Effort, smallest: float = 2.0**-40, m
     return points
 
 
-def halved(points: Any, passed: Any, between: Any) -> tuple[Any, Any]:
+def halved(points: Complexes, passed: Truths, between: Complexes) -> tuple[Complexes, Truths]:
     """The points with those `between` put into the pieces that have not passed, and which pieces have."""
     at = np.flatnonzero(~passed) + 1
     return np.insert(points, at, between), np.insert(passed, at, np.zeros(len(at), bool))
 
 
-def joined(points: Any, test: Test, effort: Effort, anywhere: bool = False, rounds: int = 2) -> Any:
+def joined(points: Complexes, test: Test, effort: Effort, anywhere: bool = False, rounds: int = 2) -> Complexes:
     """The points of a path without those between two pieces that pass as one.
 
     Only points whose two neighbours lie with them on one line parallel to an axis are left out, so the path stays
@@ -94,7 +95,7 @@ def joined(points: Any, test: Test, effort: Effort, anywhere: bool = False, roun
     return points
 
 
-def evened(points: Any, hardness: Any) -> Any:
+def evened(points: Complexes, hardness: Reals) -> Complexes:
     """Points on the same polyline so that each piece would have a hardness of about 1, were it its length.
 
     hardness: one number > 0 for each piece. Corners are kept; straight parts that are not parallel to an axis are
@@ -113,19 +114,19 @@ def evened(points: Any, hardness: Any) -> Any:
     return np.concatenate(out)
 
 
-def _ways(points: Any) -> Any:
+def _ways(points: Complexes) -> Any:
     """Of each piece the signs of both coordinates as one number; ±2 and ±4 are oblique."""
     way = np.sign(np.diff(points).real) + 3 * np.sign(np.diff(points).imag)
     return way.astype(int)
 
 
-def _inner(points: Any) -> Any:
+def _inner(points: Complexes) -> Any:
     """Which points but the ends lie on one line parallel to an axis with the points beside them, and between them."""
     way = _ways(points)
     return (way[1:] == way[:-1]) & np.isin(np.abs(way[1:]), (0, 1, 3))
 
 
-def _parts(points: Any) -> list[tuple[int, int]]:
+def _parts(points: Complexes) -> list[tuple[int, int]]:
     """(first, last) of the parts along which both coordinates go one way."""
     cuts = [0, *(np.flatnonzero(np.diff(_ways(points))) + 1).tolist(), len(points) - 1]
     return list(pairwise(cuts))

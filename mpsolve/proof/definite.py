@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.proof.turning import weighed
 
@@ -13,7 +14,7 @@ _MOST = 0.98  # of θ: below 1 by a margin, so that a checker that rounds otherw
 
 
 @np.errstate(all="ignore")
-def positive_definite(H: Any, E: Any) -> Any:
+def positive_definite(H: Any, E: Reals) -> Any:
     """Whether H₀ + Σ ε_k H_k + R is positive definite for all |ε_k| ≤ 1 and Hermitian |R| ≤ E, entry by entry.
 
     H: (boxes, 1 + k, n, n), E: (boxes, n, n). X H X* = 1 + F with |F| x ≤ θ x, θ < 1, for some regular X and x > 0.
@@ -36,7 +37,7 @@ def positive_definite(H: Any, E: Any) -> Any:
     return finite & sane & (weighed(F)[1] < _MOST)
 
 
-def positive(V: Jet, way: Any, drift: Any) -> Any:
+def positive(V: Jet, way: Any, drift: Reals) -> Any:
     """True where V + V* is positive definite for t along `way` |t| ≤ r, to within `drift` of the line."""
     n, r = V.a.shape[1], V.r[:, None, None]
     with np.errstate(all="ignore"):

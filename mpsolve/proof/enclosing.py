@@ -9,6 +9,8 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from flint import acb
+
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import arb, precision
@@ -26,7 +28,7 @@ class Line:
     symmetry: Symmetry
     onto: Callable[[Any], Any]
 
-    def is_near(self, z: Any, size: Any) -> bool:
+    def is_near(self, z: acb, size: Any) -> bool:
         """Whether the exact z is so near that a root on the line is likely."""
         return bool(abs(z - self.onto(z)) < arb(_NEAR) * size)
 

@@ -37,11 +37,11 @@ class Analytic(Protocol):
 class Isolated:
     """A box that holds exactly one root of f, and its sharper image, which holds that root too."""
 
-    box: Any
+    box: acb
     image: Any
 
 
-def polished(f: Analytic, seed: Any) -> Any:
+def polished(f: Analytic, seed: Any) -> acb:
     """An exact point where Newton's method from `seed` stands still to the precision that is set, or nearly so."""
     z = acb(seed).mid()
     for _ in range(_POLISH):
@@ -70,7 +70,7 @@ def isolated(f: Analytic, middle: Any, size: Any) -> Isolated:
     raise PrecisionError(f"no box around {near:.6g} is proved to hold exactly one root: raise the precision")
 
 
-def _image(f: Analytic, middle: Any, value: Any, box: Any) -> Any | None:
+def _image(f: Analytic, middle: Any, value: Any, box: acb) -> acb | None:
     try:
         image = middle - value / f.slope(box)
     except PrecisionError:
@@ -78,7 +78,7 @@ def _image(f: Analytic, middle: Any, value: Any, box: Any) -> Any | None:
     return image if image.is_finite() and box.contains_interior(image) else None
 
 
-def real_part(ball: Any) -> Any:
+def real_part(ball: Any) -> acb:
     """Of a ball that holds a real root."""
     return acb(ball.real)
 
@@ -95,13 +95,20 @@ def sharpened(f: Analytic, image: Any, goal: int, onto: Callable[[Any], Any] | N
     known = _accuracy(image, least)
     while known < goal:
         target = _next(known, goal, loss)
-        with precision(known + guard):
-            slope = f.slope(image)
-        with precision(target + guard):
-            middle = image.mid()
-            image = middle - f.value(middle) / slope
-            image = onto(image) if onto else image
-        reached = _accuracy(image, least)
+        try:
+            with precision(known + guard):
+                slope = f.slope(image)
+            with precision(target + guard):
+                middle = image.mid()
+                ahead = middle - f.value(middle) / slope
+                ahead = onto(ahead) if onto else ahead
+            reached = _accuracy(ahead, least)
+        except PrecisionError:  # f itself loses what it is made of
+            guard, loss = 2 * guard, 2 * loss
+            if guard > _MOST_GUARD:
+                raise
+            continue
+        image = ahead
         if reached < target:
             guard, loss = guard + target - reached, loss + target - reached
             if guard > _MOST_GUARD:

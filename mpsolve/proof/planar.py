@@ -73,7 +73,7 @@ def isolated(f: Planar, middle: Point, size: Point) -> Zero:
     raise PrecisionError(f"no box around ({where}) is proved to hold exactly one crossing")
 
 
-def _image(f: Planar, middle: Point, value: Any, Y: Any, box: Point) -> Point | None:
+def _image(f: Planar, middle: Point, value: Any, Y: arb_mat, box: Point) -> Point | None:
     try:
         J = _jacobian(f.slopes(*box))
     except PrecisionError:
@@ -82,7 +82,7 @@ def _image(f: Planar, middle: Point, value: Any, Y: Any, box: Point) -> Point | 
     return image if all(b.contains_interior(i) for b, i in zip(box, image, strict=True)) else None
 
 
-def _step(middle: Point, box: Point, value: Any, Y: Any, J: Any) -> Point:
+def _step(middle: Point, box: Point, value: Any, Y: arb_mat, J: arb_mat) -> Point:
     """m − Y f(m) + (I − Y J)(X − m)."""
     n = len(box)
     one = arb_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
@@ -123,33 +123,33 @@ def settled(f: Planar, zero: Zero) -> Point:
     return at
 
 
-def _met(old: Any, new: Any) -> Any:
+def _met(old: arb, new: arb) -> arb:
     return new if new.is_finite() and new.rad() < old.rad() else old
 
 
-def _accuracy(x: Any) -> int:
+def _accuracy(x: arb) -> int:
     """Bits of the modulus that the ball fixes; of 0 or less where it holds 0."""
     if x.rad() == 0:
         return 1 << 40
     return int(x.rel_accuracy_bits()) if not x.contains(0) else -exponent_of(x.rad())
 
 
-def _column(value: Any) -> Any:
+def _column(value: Any) -> arb_mat:
     each = value if isinstance(value, tuple) else (value,)
     return arb_mat([[part] for z in each for part in (acb(z).real, acb(z).imag)])
 
 
-def _jacobian(slopes: tuple[Any, ...]) -> Any:
+def _jacobian(slopes: tuple[Any, ...]) -> arb_mat:
     rows = slopes if isinstance(slopes[0], tuple) else (slopes,)
     return arb_mat([line for row in rows for line in ([acb(z).real for z in row], [acb(z).imag for z in row])])
 
 
-def _inverse(slopes: tuple[Any, ...]) -> Any:
+def _inverse(slopes: tuple[Any, ...]) -> arb_mat:
     """A real matrix near the inverse of the Jacobian, exact."""
     return _mid(_regular(_mid(_jacobian(slopes))))
 
 
-def _regular(J: Any) -> Any:
+def _regular(J: arb_mat) -> arb_mat:
     try:
         return J.inv()
     except ZeroDivisionError:
@@ -158,5 +158,5 @@ def _regular(J: Any) -> Any:
         ) from None
 
 
-def _mid(a: Any) -> Any:
+def _mid(a: Any) -> arb_mat:
     return arb_mat(a.nrows(), a.ncols(), [arb(x.mid()) for x in a.entries()])

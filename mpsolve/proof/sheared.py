@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.jets import U
 
 SLOPED = 127
@@ -18,7 +19,7 @@ _FINE = 64  # of how thick a box is: so much the slope may be off at its ends, w
 _TINY = 2.0**-1000
 
 
-def sheared(low: Any, high: Any, slope: Any) -> tuple[Any, Any]:
+def sheared(low: Reals, high: Reals, slope: Reals) -> tuple[Reals, Reals]:
     """Parallelograms with other slopes that hold the given ones, between the same x."""
     more = slope - low[-1]
     one, other = more * low[1], more * high[1]
@@ -31,7 +32,7 @@ def sheared(low: Any, high: Any, slope: Any) -> tuple[Any, Any]:
     return first, second
 
 
-def upright(low: Any, high: Any) -> tuple[Any, Any]:
+def upright(low: Reals, high: Reals) -> tuple[Reals, Reals]:
     """The boxes (q, x) round parallelograms, without the row of slopes; upright ones as they are."""
     flat, (a, b) = low[-1] == 0, sheared(low, high, 0 * low[-1])
     return np.where(flat, low, a)[:-1], np.where(flat, high, b)[:-1]

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import EffortError
+from mpsolve.numbers.arrays import Integers, Reals
 from mpsolve.outcome import Reason
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.sheared import SLOPED, sheared
@@ -37,14 +38,14 @@ class Tree:
     laid along a new slope.
     """
 
-    low: Any
-    high: Any
+    low: Reals
+    high: Reals
     kind: Any
     axis: Any
-    child: Any
+    child: Integers
 
     @property
-    def open(self) -> Any:
+    def open(self) -> Integers:
         """The numbers of the leaves that stayed open."""
         return np.flatnonzero((self.kind == OPEN) & (self.axis < 0))
 
@@ -52,7 +53,7 @@ class Tree:
     def nodes(self) -> int:
         return len(self.kind)
 
-    def boxes(self, numbers: Any) -> tuple[Any, Any]:
+    def boxes(self, numbers: Integers) -> tuple[Reals, Reals]:
         """Low and high corners, shape (variables, boxes)."""
         return self.low[:, numbers], self.high[:, numbers]
 
@@ -86,7 +87,7 @@ def subdivide(
     whole = highs[0] - lows[0]
     stuck, reason, closed = 0, None, 0.0
 
-    def halve(numbers: Any, a: Any, b: Any, axis: Any, slope: Any = None) -> tuple[Any, Any, Any]:
+    def halve(numbers: Any, a: Any, b: Any, axis: Any, slope: Any = None) -> tuple[Integers, Reals, Reals]:
         new = grown.halve(numbers, a, b, axis, slope, whole, smallest)
         lows.append(new[1])
         highs.append(new[2])
@@ -118,7 +119,7 @@ def subdivide(
     return Covered(tree, reason)
 
 
-def _taken(waiting: list[tuple[Any, Any, Any]]) -> tuple[Any, Any, Any]:
+def _taken(waiting: list[tuple[Integers, Reals, Reals]]) -> tuple[Integers, Reals, Reals]:
     """A batch from the end."""
     numbers, a, b = waiting.pop()
     while waiting and len(numbers) + len(waiting[-1][0]) <= BATCH:
@@ -130,11 +131,11 @@ def _taken(waiting: list[tuple[Any, Any, Any]]) -> tuple[Any, Any, Any]:
     return numbers, a, b
 
 
-def _wide(a: Any, b: Any, whole: Any, smallest: Any) -> Any:
+def _wide(a: Any, b: Reals, whole: Reals, smallest: Reals) -> Any:
     return (b - a > smallest * whole * (1 + 2.0**-20)).any(0)
 
 
-def _longest(a: Any, b: Any, whole: Any, smallest: Any) -> Any:
+def _longest(a: Any, b: Reals, whole: Reals, smallest: Reals) -> Any:
     """Of each box, relative to the smallest that there may be."""
     return ((b - a) / np.where(whole > 0, whole, np.inf) / smallest).argmax(0)
 
@@ -150,10 +151,10 @@ class _Grown:
         self.kind, self.axis, self.child = np.zeros(0, np.int8), np.zeros(0, np.int8), np.zeros(0, np.int64)
 
     @property
-    def arrays(self) -> tuple[Any, Any, Any]:
+    def arrays(self) -> tuple[Any, Any, Integers]:
         return self.kind, self.axis, self.child
 
-    def add(self, count: int) -> Any:
+    def add(self, count: int) -> Integers:
         first = len(self.kind)
         self.kind = np.concatenate([self.kind, np.zeros(count, np.int8)])
         self.axis = np.concatenate([self.axis, np.full(count, -1, np.int8)])
@@ -161,8 +162,8 @@ class _Grown:
         return np.arange(first, first + count)
 
     def halve(
-        self, numbers: Any, a: Any, b: Any, axis: Any, slope: Any, whole: Any, smallest: Any
-    ) -> tuple[Any, Any, Any]:
+        self, numbers: Integers, a: Any, b: Reals, axis: Any, slope: Any, whole: Reals, smallest: Reals
+    ) -> tuple[Integers, Reals, Reals]:
         """The halves, next to each other, along `axis` or along the longest side where that one is too short."""
         columns = np.arange(len(numbers))
         size = (b - a) / np.where(whole > 0, whole, np.inf) / smallest
@@ -181,15 +182,15 @@ class _Grown:
         return new, low, high
 
 
-def _interleaved(one: Any, other: Any) -> Any:
+def _interleaved(one: Any, other: Reals) -> Reals:
     return np.stack([one, other], 2).reshape(len(one), -1)
 
 
-def halved(low: Any, high: Any, times: int) -> Tree:
+def halved(low: Reals, high: Reals, times: int) -> Tree:
     """2^times open boxes, 32 at least, each halved along its longest sides, relative to the whole."""
     whole = np.asarray(high, float) - np.asarray(low, float)
 
-    def judge(a: Any, b: Any) -> tuple[Any, Any]:
+    def judge(a: Any, b: Reals) -> tuple[Integers, Integers]:
         share = (b - a) / np.where(whole > 0, whole, np.inf)[:, None]
         done = np.log2(share, where=share > 0, out=np.zeros_like(share)).sum(0) <= 0.5 - times
         return np.where(done, 1, OPEN), share.argmax(0)

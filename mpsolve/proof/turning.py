@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Reals, Truths
 from mpsolve.numbers.jets import TINY, UP, Jet, U
 
 THETA = 0.97
@@ -54,7 +55,7 @@ def regular(A: Jet) -> Regular:
         return Regular(R, x, theta, finite & (theta < THETA))
 
 
-def weighed(E: Any, rounds: int = 12) -> tuple[Any, Any]:
+def weighed(E: Reals, rounds: int = 12) -> tuple[Reals, Reals]:
     """(x > 0 for which θ is nearly the least, θ with E x ≤ θ x) of matrices E ≥ 0."""
     x = np.ones(E.shape[:2])
     for _ in range(rounds):
@@ -71,7 +72,7 @@ def _inverse(a: Any) -> Any:
         return np.eye(len(a))
 
 
-def pivot_arguments(piece: Regular, A: Jet) -> tuple[Any, Any, Any]:
+def pivot_arguments(piece: Regular, A: Jet) -> tuple[Reals, Reals, Truths]:
     """(Σ Arg pivots of R A, a bound of its error, where it is bounded) at a thin point of each disc.
 
     The pivots in floats are those of M + F, M = R A and |F| x ≤ φ x (rounding of the product and backward error of
@@ -97,7 +98,7 @@ def pivot_arguments(piece: Regular, A: Jet) -> tuple[Any, Any, Any]:
         return total, n * (phi / (least * least) * (1 + 8 * U) + (16 + 2 * n) * U) * UP, good
 
 
-def solution(A: Jet, f: Jet) -> tuple[Jet, Any]:
+def solution(A: Jet, f: Jet) -> tuple[Jet, Truths]:
     """(y with A y = f as jets of shape (discs, n, 1), where A is proved regular).
 
     With R A = I + E, |E| x ≤ θ x, and y = y₀ + y₁ t any approximation whose residual f − A y is at most ρ: the error

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Complexes, Reals, Truths
 from mpsolve.numbers.jets import TINY, UP, U
 from mpsolve.numbers.quadratic import Quadratic, by_variable, pairs
 from mpsolve.proof.turning import weighed
@@ -26,12 +27,12 @@ class Scalar:
     """
 
     s: Quadratic
-    good: Any
-    strain: Any
-    rest: Any
+    good: Truths
+    strain: Reals
+    rest: Reals
 
 
-def scalar(A: Quadratic, good: Any, real: bool = False) -> Scalar:
+def scalar(A: Quadratic, good: Truths, real: bool = False) -> Scalar:
     """The reduction of matrices of shape (boxes, n, n); real: by real X and Y, for A that are real at the middle."""
     n = A.k.shape[-1]
     with np.errstate(all="ignore"):
@@ -66,8 +67,8 @@ def scalar(A: Quadratic, good: Any, real: bool = False) -> Scalar:
 class Verdict:
     """nonzero: boxes of real u with no zero of s, proved; weight[v]: what stands against it, by variable."""
 
-    nonzero: Any
-    weight: Any
+    nonzero: Truths
+    weight: Reals
 
 
 def nonzero(s: Quadratic) -> Verdict:
@@ -84,7 +85,7 @@ def nonzero(s: Quadratic) -> Verdict:
         return Verdict(found, _taken(s, way))
 
 
-def _directions(s: Quadratic) -> list[Any]:
+def _directions(s: Quadratic) -> list[Complexes]:
     """Towards the value, normal to each coefficient, and normal to the sum of them."""
     out = [s.a.conj()]
     out += [1j * b.conj() for b in s.b]
@@ -93,7 +94,7 @@ def _directions(s: Quadratic) -> list[Any]:
     return [np.where(np.abs(d) > 0, d / np.where(np.abs(d) > 0, np.abs(d), 1), 1) for d in out]
 
 
-def _margin(s: Quadratic, d: Any) -> Any:
+def _margin(s: Quadratic, d: Complexes) -> Any:
     """A number above 0 only where Re(±d s) > 0 over the box; |d| ≤ 1 to within roundings."""
     k = (s.k * d).real
     k = k * np.where(k[0] < 0, -1.0, 1.0)
@@ -109,12 +110,12 @@ def _margin(s: Quadratic, d: Any) -> Any:
     return low - slack * UP
 
 
-def _taken(s: Quadratic, d: Any) -> Any:
+def _taken(s: Quadratic, d: Complexes) -> Any:
     """For each variable the moduli of its coefficients in this direction, and a little of them in any."""
     return by_variable(np.abs((s.k * d).real) + 2.0**-12 * np.abs(s.k), s.m)
 
 
-def guess(s: Quadratic) -> Any:
+def guess(s: Quadratic) -> Reals:
     """Real u with Re s = Im s = 0 by Newton's method for the quadratic in two variables, in floats; nan if none."""
     u = np.zeros((2, len(s.e)))
     with np.errstate(all="ignore"):

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
+from flint import arb
 
 from mpsolve.errors import PrecisionError
 
 
-def number_of_zeros(turns: Any, what: str) -> int:
+def number_of_zeros(turns: arb, what: str) -> int:
     """The only whole number in the real ball; PrecisionError if there is none, more than one, or one below 0."""
     number = turns.unique_fmpz()
     if number is None or int(number) < 0:

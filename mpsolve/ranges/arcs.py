@@ -24,6 +24,7 @@ import numpy as np
 
 from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_matrix import FreeMatrix
+from mpsolve.numbers.arrays import Integers, Reals, Truths
 from mpsolve.numbers.jets import UP, U
 from mpsolve.numbers.quadratic import Quadratic, pairs
 from mpsolve.proof.subdivide import OPEN
@@ -57,12 +58,12 @@ class Arcs:
     high: Any
     m: Any
     r: Any
-    pivot: Any
+    pivot: Integers
     s: Quadratic
-    at_zero: Any
-    regular: Any
+    at_zero: Truths
+    regular: Truths
 
-    def place(self, u: Any, t: Any) -> Any:
+    def place(self, u: Reals, t: Reals) -> Reals:
         """(q̂, x̂, ŷ) of the others and the pivot, in shares of the models' boxes; sizes alike, without the middles."""
         out = np.empty((3, *np.shape(t)))
         columns = np.arange(out.shape[1])
@@ -90,7 +91,7 @@ class Arcs:
         return _pieces(self.s, t, half)
 
 
-def arcs(matrix: FreeMatrix, low: Any, high: Any, thin: Any = _ANY) -> tuple[Arcs, Any]:
+def arcs(matrix: FreeMatrix, low: Reals, high: Reals, thin: Reals = _ANY) -> tuple[Arcs, Truths]:
     """(The arcs of boxes between corners, shape (3, boxes); which boxes hold no zeros but theirs).
 
     thin: how well arcs are to be known in x̂ and ŷ. Boxes without zeros have none; those at q = 0 come last.
@@ -126,7 +127,7 @@ def arcs_over(matrix: FreeMatrix, m: Any, r: Any, zero: Any = False, low: Any = 
     return Arcs(low, high, m, r, pivot, Quadratic(k, s.e, 3), zero, least < REGULAR)
 
 
-def models(matrix: FreeMatrix, m: Any, r: Any, zero: Any) -> Quadratic:
+def models(matrix: FreeMatrix, m: Reals, r: Reals, zero: Truths) -> Quadratic:
     """Of the reduced determinant; round q = 0 of roots there (`zero`) or of those beside it. e = ∞: not bounded."""
     k, e = np.zeros((10, m.shape[1]), complex), np.full(m.shape[1], np.inf)
     mirrored = m[0] == 0
@@ -187,10 +188,10 @@ class Pieces:
     passes: whether there is one for each τ.
     """
 
-    centre: Any
-    lean: Any
-    around: Any
-    passes: Any
+    centre: Reals
+    lean: Reals
+    around: Reals
+    passes: Truths
 
 
 def _pieces(s: Quadratic, t: Any, half: Any) -> Pieces:
@@ -209,7 +210,7 @@ def _pieces(s: Quadratic, t: Any, half: Any) -> Pieces:
         still = solved(g[0], g[1], c22) * half**2 + solved_size(g[0], g[1], s.e + _NOISE * np.abs(s.k).sum(0))
         bent = [solved(g[0], g[1], z) for z in (c00, c01, c11, c02 * half, c12 * half)]
 
-        def rest(wide: Any) -> Any:
+        def rest(wide: Reals) -> Any:
             square = bent[0] * wide[0] ** 2 + bent[1] * wide[0] * wide[1] + bent[2] * wide[1] ** 2
             return (still + square + bent[3] * wide[0] + bent[4] * wide[1]) * (1 + 64 * U)
 

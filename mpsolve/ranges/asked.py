@@ -11,21 +11,19 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.ranges.judge import Judge
-
-NOT_ASKED = 6
-"""Kind of a leaf at which nothing is asked."""
+from mpsolve.numbers.arrays import Reals, Truths
+from mpsolve.ranges.judge import NOT_ASKED, Judge
 
 
 @dataclass(frozen=True)
 class Asked:
     """What is asked of boxes in (q̂, x̂, ŷ): at y in [low_j, high_j], x up to end_j, without the room (q̂, x̂) of j."""
 
-    low: Any
-    high: Any
+    low: Reals
+    high: Reals
     ends: Any
-    room_low: Any
-    room_high: Any
+    room_low: Reals
+    room_high: Reals
 
     def needed(self, low: Any, high: Any) -> Any:
         """Of each box (rows) and each j, whether it is asked of the box."""
@@ -35,7 +33,7 @@ class Asked:
             inside &= (low[k][:, None] >= self.room_low[k]) & (high[k][:, None] <= self.room_high[k])
         return at & ~inside
 
-    def clipped(self, low: Any, high: Any, needed: Any) -> tuple[Any, Any]:
+    def clipped(self, low: Reals, high: Any, needed: Truths) -> tuple[Reals, Any]:
         """The least boxes that hold what is needed."""
         low, high = low.copy(), high.copy()
         low[2] = np.maximum(low[2], np.where(needed, self.low, np.inf).min(1))

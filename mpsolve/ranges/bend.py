@@ -73,7 +73,7 @@ def _bends(matrix: FreeMatrix, proved: FreeProved, q: complex, x: float, radius:
 class _Samples:
     """q̂′ at exact complex x̂."""
 
-    def __init__(self, proved: FreeProved, q: Any, r_q: Any, x: Any, near: complex, first: complex) -> None:
+    def __init__(self, proved: FreeProved, q: Any, r_q: arb, x: arb, near: complex, first: complex) -> None:
         self._proved, self._q, self._r_q, self._x, self._near, self._first = proved, q, r_q, x, near, first
 
     def require_sides(self, q: Any, radius: float) -> None:
@@ -92,7 +92,7 @@ class _Samples:
         return f.motion(ball)
 
 
-def _derivative(series: Taylor, t: Any) -> Any:
+def _derivative(series: Taylor, t: arb) -> acb:
     """Over a ball of real t round 0."""
     total = acb(0)
     for k in range(SAMPLES - 1, 0, -1):

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.free_matrix import FreeMatrix
+from mpsolve.numbers.arrays import Integers, Reals, Truths
 from mpsolve.numbers.packed import Portable
 from mpsolve.ranges.arcs import HALF, Arcs, arcs_over, models
 from mpsolve.ranges.ordered import Path, ordered
@@ -36,7 +37,7 @@ class Boundary(Portable):
     of roots that comes to q = 0, there.
     """
 
-    x: Any
+    x: Reals
     y: Any
     q: Any
     divergence: bool
@@ -65,9 +66,9 @@ class Curves:
 
     matrix: FreeMatrix
     zero: bool
-    whole: Any
+    whole: Reals
 
-    def on(self, near: Any, fixed: int | None = None) -> tuple[Any, Any, Any]:
+    def on(self, near: Reals, fixed: int | None = None) -> tuple[Reals, Reals, Integers]:
         """(points on the curves next to these, directions there, which of these have one) in floats.
 
         fixed: a coordinate that stays as it is.
@@ -99,7 +100,7 @@ class Curves:
             kept &= (near[0] == 0) | (points[0] > _NEAR * whole[0])  # roots with q = 0 are no pair
         return points[:, kept], tangent[:, kept], np.flatnonzero(kept)
 
-    def arcs(self, m: Any, r: Any, least: float = 0.0) -> Arcs:
+    def arcs(self, m: Reals, r: Reals, least: float = 0.0) -> Arcs:
         """Over boxes with these middles and half-widths; next to q = 0 over wider ones with their mirror images.
 
         least: the half-width of these in q, in shares of the whole.
@@ -111,7 +112,7 @@ class Curves:
         m[0], r[0] = np.where(near, 0.0, m[0]), np.where(near, wide, r[0])
         return arcs_over(self.matrix, m, r, self.zero)
 
-    def enclosed(self, points: Any) -> Any:
+    def enclosed(self, points: Reals) -> Reals:
         """How far from each point at most lies one that is proved: the only one of a small box at the same pivot."""
         size = np.full(points.shape, np.inf)
         for least in self.wider:
@@ -125,7 +126,7 @@ class Curves:
         """Half-widths in q of boxes next to q = 0, where very small ones tell nothing of how pairs move."""
         return (0.0,) if self.zero else (0.0, *_WIDTHS)
 
-    def _enclosed(self, points: Any, least: float) -> Any:
+    def _enclosed(self, points: Reals, least: float) -> Reals:
         found = self.arcs(points, np.repeat(self.whole[:, None] * _KNOT, points.shape[1], 1), least)
         t = found.along((points - found.m) / found.r)
         piece = found.pieces(t, 0.0)
@@ -142,14 +143,14 @@ class _Chain:
     good: which steps to the next one are proved.
     """
 
-    points: list[Any]
+    points: list[Reals]
     sizes: list[Any]
     good: list[bool]
     path: Path
 
 
 def proved_chains(
-    curves: Curves, paths: list[Path], units: Any, corners: tuple[Any, Any] | None = None
+    curves: Curves, paths: list[Path], units: Reals, corners: tuple[Reals, Reals] | None = None
 ) -> list[Boundary]:
     """What of the paths is proved, parted where a step is not."""
     chains = []
@@ -198,7 +199,7 @@ def _between(curves: Curves, chains: list[_Chain]) -> None:
         chain.good.insert(k + 1, False)
 
 
-def _steps(curves: Curves, ends: Any, sizes: Any) -> Any:
+def _steps(curves: Curves, ends: Any, sizes: Reals) -> Truths:
     """Between which ends one arc passes; sizes: of the enclosures of the ends."""
     out = np.zeros(ends.shape[2], bool)
     for least in curves.wider:
@@ -208,7 +209,7 @@ def _steps(curves: Curves, ends: Any, sizes: Any) -> Any:
     return out
 
 
-def _steps_over(curves: Curves, ends: Any, sizes: Any, least: float) -> Any:
+def _steps_over(curves: Curves, ends: Any, sizes: Reals, least: float) -> Any:
     middle, way, whole = ends.mean(0), np.abs(ends[1] - ends[0]), curves.whole[:, None]
     found = curves.arcs(middle, _WIDER * way + _LEAST * (way / whole).max(0) * whole, least)
     t, along = found.along((middle - found.m) / found.r), found.along(way / 2 / found.r)

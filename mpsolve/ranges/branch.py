@@ -9,6 +9,7 @@ Interval Newton encloses the only root in a square of u₀ for all x at once; th
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
@@ -42,9 +43,9 @@ class Part:
     r_q: float
     r_x: float
     ends: tuple[Any, Any]
-    last: Any
-    bends: tuple[Any, ...]
-    rises: tuple[Any, ...]
+    last: acb
+    bends: tuple[arb, ...]
+    rises: tuple[arb, ...]
 
     def holds(self, q: Any, x: Any) -> bool:
         """Whether a root in a ball q at x in a ball x is that of the part: in the square, x between the ends."""
@@ -117,7 +118,7 @@ def tube(matrix: FreeMatrix, points: Any, edges: list[Any]) -> Tube | None:
     return Tube(tuple(parts))
 
 
-def _part(model: Model, at: Any, size: Any, ends: tuple[Any, Any]) -> Part | None:
+def _part(model: Model, at: Sequence[float], size: Any, ends: tuple[Any, Any]) -> Part | None:
     with precision(_BITS):
         low, high = ((arb(x) - arb(at[1])) / arb(size[1]) for x in ends)
         if not (abs(low) < arb(0.5) and abs(high) < arb(0.5)):
@@ -137,9 +138,9 @@ class Model:
     """a + b₀u₀ + b₁u₁ + c₀₀u₀² + c₀₁u₀u₁ + c₁₁u₁² and a remainder of at most e."""
 
     k: list[Any]
-    e: Any
+    e: arb
 
-    def _rest(self, share: int) -> Any:
+    def _rest(self, share: int) -> acb:
         ball = arb(0, (self.e * share).upper())
         return acb(ball, ball)
 
@@ -147,11 +148,11 @@ class Model:
         a, b0, b1, c00, c01, c11 = self.k
         return a + b0 * u + b1 * t + c00 * u * u + c01 * u * t + c11 * t * t + self._rest(1)
 
-    def slopes(self, u: Any, t: Any) -> tuple[Any, Any]:
+    def slopes(self, u: acb, t: Any) -> tuple[acb, acb]:
         _, b0, b1, c00, c01, c11 = self.k
         return b0 + 2 * c00 * u + c01 * t + self._rest(2), b1 + c01 * u + 2 * c11 * t + self._rest(2)
 
-    def branch(self, t: Any) -> tuple[Any, Any, Any] | None:
+    def branch(self, t: Any) -> tuple[acb, acb, acb] | None:
         """(u₀, u₀′, u₀″) for all t in a real ball; None where the root is not enclosed in the square."""
         side = arb(0, SIDE)
         box = acb(side, side)
@@ -171,12 +172,12 @@ class Model:
         return box, first, -(second + (2 * c00 + self._rest(8)) * first * first) / s0
 
 
-def _met(one: Any, other: Any) -> Any:
+def _met(one: Any, other: acb) -> acb:
     """The part that both boxes share, which holds what each holds."""
     return acb(_smaller(one.real, other.real), _smaller(one.imag, other.imag))
 
 
-def _smaller(one: Any, other: Any) -> Any:
+def _smaller(one: Any, other: arb) -> Any:
     try:
         return one.intersection(other)
     except ValueError:

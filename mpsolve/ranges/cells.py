@@ -6,12 +6,14 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Integers, Reals, Truths
+
 BOUNDARY = -1
 OPEN = -2
 _SLACK = 2.0**-20  # of a cell: rounding of where boxes lie
 
 
-def marked(low: Any, high: Any, shape: tuple[int, int]) -> Any:
+def marked(low: Reals, high: Reals, shape: tuple[int, int]) -> Integers:
     """0 where no box meets the cell, else BOUNDARY; boxes in shares of the chart, shape (2, boxes).
 
     A box that only touches a cell counts too.
@@ -25,7 +27,7 @@ def marked(low: Any, high: Any, shape: tuple[int, int]) -> Any:
     return counts
 
 
-def parts_of(free: Any) -> Any:
+def parts_of(free: Any) -> Integers:
     """Labels 1, 2, … of the connected parts of the free cells, which share sides; 0 elsewhere."""
     labels = np.zeros(free.shape, int)
     current = 0
@@ -37,7 +39,7 @@ def parts_of(free: Any) -> Any:
     return labels
 
 
-def spread(labels: Any, free: Any, from_cells: list[tuple[int, int]]) -> None:
+def spread(labels: Integers, free: Truths, from_cells: list[tuple[int, int]]) -> None:
     """Labels go from cells to all free ones without a label that hang together with them."""
     high, wide = free.shape
     stack = from_cells
@@ -49,7 +51,7 @@ def spread(labels: Any, free: Any, from_cells: list[tuple[int, int]]) -> None:
                 stack.append((k, m))
 
 
-def grown(cells: Any, *axes: int) -> Any:
+def grown(cells: Truths, *axes: int) -> Truths:
     """With the neighbours along each of these axes."""
     out = cells.copy()
     for axis in axes:
@@ -59,7 +61,7 @@ def grown(cells: Any, *axes: int) -> Any:
     return out
 
 
-def finer(labels: Any, free: Any) -> Any:
+def finer(labels: Integers, free: Truths) -> Integers:
     """Labels of cells handed on to those of a finer grid, whose free ones no boundary meets; new parts count on.
 
     Finer cells of one that has a label have that label.
@@ -85,7 +87,7 @@ def inmost(where: Any) -> tuple[int, int]:
         kept = inner
 
 
-def met(shape: tuple[int, ...], edges: Any, curves: Any) -> Any:
+def met(shape: tuple[int, ...], edges: Any, curves: Any) -> Truths:
     """Cells that a curve meets, in floats. edges: of both parameters; curves: with x and y."""
     out = np.zeros(shape, bool)
     for curve in curves:
@@ -102,7 +104,7 @@ def met(shape: tuple[int, ...], edges: Any, curves: Any) -> Any:
     return out
 
 
-def next_to(shape: tuple[int, ...], edges: Any, curves: Any) -> Any:
+def next_to(shape: tuple[int, ...], edges: Any, curves: Any) -> Truths:
     """These and all cells round them, up to two away."""
     cells = met(shape, edges, curves)
     for axis in (0, 0, 1, 1):

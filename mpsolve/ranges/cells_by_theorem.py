@@ -6,10 +6,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
-from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Truths
 from mpsolve.problem.family import Interval
 from mpsolve.problem.problem import Problem
 from mpsolve.ranges import lone_mass, undamped
@@ -25,8 +25,8 @@ NOTE = (
 class Decided:
     """quiet: the cells in which nothing grows; alike: cells in all of which the same number of roots grows."""
 
-    quiet: Any
-    alike: Any
+    quiet: Truths
+    alike: Truths
     note: str
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from mpsolve.certificate.format import FORMAT, Certificate, digest
 from mpsolve.certificate.spectrum_file import VERSION, basis_entry, dyadic
 from mpsolve.errors import CertificateError
+from mpsolve.numbers.arrays import Integers
 from mpsolve.numbers.balls import arb
 from mpsolve.numbers.several import Several
 from mpsolve.passivity.far import far_numbers
@@ -53,7 +54,7 @@ def stable_certificate(scope: Scope, tree: Tree, base: Base) -> Certificate:
     return _certificate("stable", scope, tree, (), (base,), {"unstable": int(base.spectrum.unstable)})
 
 
-def chart_certificate(scope: Scope, tree: Tree, bases: Sequence[Base], cells: Any) -> Certificate:
+def chart_certificate(scope: Scope, tree: Tree, bases: Sequence[Base], cells: Integers) -> Certificate:
     """Of regions over each of which the number of growing roots is that at its base. cells: the number of the region
     of each cell, −1 where nothing is said.
     """
@@ -175,7 +176,7 @@ def with_room(zero: Crossing) -> Crossing:
     return replace(zero, q=zero.q if zero.q == 0 else _wider(zero.q), x=_wider(zero.x))
 
 
-def _wider(ball: Any) -> Any:
+def _wider(ball: Any) -> arb:
     middle, radius = ball.mid(), ball.rad() * _ROOM
     return arb(middle, radius if radius > 0 else abs(middle) * arb(2) ** -64)
 

@@ -19,6 +19,7 @@ import numpy as np
 
 from mpsolve.certificate.solve import certify_problem
 from mpsolve.errors import InputError
+from mpsolve.numbers.arrays import Integers
 from mpsolve.outcome import Status
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
@@ -198,7 +199,7 @@ def _by_theorem(problem: Problem, over: dict[str, Interval], edges: Any, told: D
     )  # fmt: skip
 
 
-def _certified(scope: Scope, tree: Tree, parts: tuple[Part, ...], regions: Any, check: bool) -> Verified:
+def _certified(scope: Scope, tree: Tree, parts: tuple[Part, ...], regions: Integers, check: bool) -> Verified:
     bases = [Base(tuple(part.point.values()), part.spectrum) for part in parts]
     return verified(lambda: chart_certificate(scope, tree, bases, regions), tree.nodes, check)
 

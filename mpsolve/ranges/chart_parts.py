@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
@@ -11,6 +11,7 @@ import numpy as np
 
 from mpsolve.certificate.solve import certify_problem
 from mpsolve.errors import EffortError
+from mpsolve.numbers.arrays import Integers
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
@@ -39,13 +40,13 @@ class Part:
 def counted(
     problem: Problem,
     over: dict[str, Interval],
-    edges: Any,
-    labels: tuple[Any, Any],
+    edges: tuple[tuple[Fraction, ...], tuple[Fraction, ...]],
+    labels: tuple[Integers, Integers],
     detail: Any,
     budget: Effort,
     progress: Progress,
     check: bool,
-) -> tuple[tuple[Part, ...], Any, Reason | None]:
+) -> tuple[tuple[Part, ...], Integers, Reason | None]:
     """The parts with their counts, which are written into `detail`, the greatest first; of fine cells the number of
     the part, −1 where there is none.
 
@@ -82,7 +83,7 @@ def counted(
     return tuple(parts), regions, reason
 
 
-def point_in(paths: Iterable[str], edges: Any, where: Any) -> dict[str, Fraction]:
+def point_in(paths: Iterable[str], edges: Sequence[Sequence[Fraction]], where: Any) -> dict[str, Fraction]:
     """The middle of a cell far inside."""
     each = zip(paths, edges, inmost(where), where.shape, strict=True)
     return {path: ends[0] + (ends[-1] - ends[0]) * Fraction(2 * k + 1, 2 * n) for path, ends, k, n in each}

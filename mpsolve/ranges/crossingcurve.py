@@ -5,8 +5,11 @@ Along the zeros of f(q̂, x̂, ŷ) with q̂ real, q̂′f_q + x̂′f_x + f_y = 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, cast
+
+from flint import acb_mat
 
 from mpsolve.characteristic.free_proved import FreeProved
 from mpsolve.errors import PrecisionError
@@ -25,7 +28,7 @@ class Fixed:
     proved: FreeProved
     y: Any
 
-    def matrices(self, sigma: Any, x: Any, slopes: bool = True) -> tuple[Any, list[Any]]:
+    def matrices(self, sigma: Any, x: Sequence[arb], slopes: bool = True) -> tuple[acb_mat, list[acb_mat]]:
         """As `FreeProved.matrices`, of the first parameter."""
         A, each = self.proved.matrices(sigma, [*x, self.y], slopes)
         return A, each[:2]
@@ -37,12 +40,12 @@ class CrossingCurve:
 
     proved: FreeProved
 
-    def _plane(self, state: tuple[Any, ...], y: Any, at: Any) -> InPlane:
+    def _plane(self, state: tuple[arb, ...], y: Any, at: arb) -> InPlane:
         """The scalar at y, reduced at an exact point of the curve."""
         A = self.proved.matrices(acb(0, state[0]), [state[1], at], slopes=False)[0]
         return InPlane(cast(FreeProved, Fixed(self.proved, y)), Reduction.of(A, near_root=True))
 
-    def _rates(self, reduction: Reduction, state: tuple[Any, ...], y: Any) -> tuple[Any, Any]:
+    def _rates(self, reduction: Reduction, state: tuple[arb, ...], y: Any) -> tuple[arb, arb]:
         A, (A_sigma, A_x, A_y) = self.proved.matrices(acb(0, state[0]), [state[1], y])
         f_q = acb(0, 1) * reduction.scalar_slope(A, A_sigma)
         f_x, f_y = (reduction.scalar_slope(A, slope) for slope in (A_x, A_y))
@@ -51,15 +54,15 @@ class CrossingCurve:
             raise PrecisionError("two crossings of the real axis may meet here")
         return -(f_y * f_x.conjugate()).imag / (f_q * f_x.conjugate()).imag, -(f_q.conjugate() * f_y).imag / turn
 
-    def near(self, state: tuple[Any, ...], x: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+    def near(self, state: tuple[arb, ...], x: arb) -> tuple[tuple[arb, ...], tuple[arb, ...]]:
         f = self._plane(tuple(arb(s.mid()) for s in state), x, x)
         at = planar.polished(f, (float(state[0]), float(state[1])))
         return at, tuple(arb(rate.mid()) for rate in self._rates(f.reduction, at, x))
 
-    def rise(self, rates: tuple[Any, ...]) -> Any:
+    def rise(self, rates: tuple[arb, ...]) -> arb:
         return rates[1]
 
-    def enclosed(self, state: tuple[Any, ...], x: Any, goal: int) -> tuple[tuple[Any, ...], Any]:
+    def enclosed(self, state: tuple[arb, ...], x: arb, goal: int) -> tuple[tuple[arb, ...], arb]:
         f = self._plane(state, x, x)
         zero = planar.isolated(f, planar.polished(f, (float(state[0]), float(state[1]))), _sizes(state))
         balls = planar.sharpened(f, zero, goal)
@@ -73,5 +76,5 @@ class CrossingCurve:
         return planar.settled(over, zero)
 
 
-def _sizes(state: tuple[Any, ...]) -> tuple[Any, Any]:
+def _sizes(state: tuple[arb, ...]) -> tuple[arb, arb]:
     return abs(state[0]) * arb(_SIZE), abs(state[1]) * arb(_SIZE)

@@ -34,7 +34,7 @@ class Edge:
         """dσ̂/dy."""
         return 1.0 + 0j if self.down else 1j
 
-    def sigma(self, y: Any) -> Any:
+    def sigma(self, y: Any) -> acb:
         """σ̂ at a ball y, at the precision that is set."""
         along = acb(arb(y), 0) if self.down else acb(0, y)
         return acb(-rational_ball(self.im), rational_ball(self.re)) + along

@@ -31,7 +31,7 @@ class Crossing:
     """
 
     q: Any
-    x: Any
+    x: arb
     gained: int | None
 
 
@@ -46,7 +46,7 @@ class InPlane:
     def value(self, y: Any, x: Any) -> Any:
         return self.reduction.scalar(self.proved.matrices(self.edge.sigma(y), [x], slopes=False)[0])
 
-    def slopes(self, y: Any, x: Any) -> tuple[Any, Any]:
+    def slopes(self, y: Any, x: arb) -> tuple[acb, acb]:
         A, (A_sigma, A_x) = self.proved.matrices(self.edge.sigma(y), [x])
         return acb(self.edge.way) * self.reduction.scalar_slope(A, A_sigma), self.reduction.scalar_slope(A, A_x)
 
@@ -62,10 +62,10 @@ class _AtZero:
     def value(self, x: Any) -> Any:
         return self.reduction.scalar(self.proved.matrices(self.edge.sigma(0), [x], slopes=False)[0])
 
-    def slope(self, x: Any) -> Any:
+    def slope(self, x: acb) -> acb:
         return self.both(x)[1]
 
-    def both(self, x: Any) -> tuple[Any, Any]:
+    def both(self, x: acb) -> tuple[acb, acb]:
         A, (_, A_x) = self.proved.matrices(self.edge.sigma(0), [x])
         return self.reduction.scalar(A), self.reduction.scalar_slope(A, A_x)
 
@@ -89,7 +89,7 @@ def enclose(
     return climb(lambda _: _in_plane(proved, seed, size, goal, edge), BASE_BITS, most)
 
 
-def _reduction(proved: FreeProved, y: Any, x: Any, edge: Edge) -> Reduction:
+def _reduction(proved: FreeProved, y: Any, x: arb, edge: Edge) -> Reduction:
     A: acb_mat = proved.matrices(edge.sigma(y), [x], slopes=False)[0]
     return Reduction.of(A, near_root=True)
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_matrix import FreeMatrix
+from mpsolve.numbers.arrays import Reals
 from mpsolve.problem.family import Family
 from mpsolve.proof.vanishing import guess, in_plane, scalar
 
@@ -33,7 +34,7 @@ def first_seen(family: Family) -> tuple[float, float] | None:
     return None
 
 
-def each_seen(family: Family, values: Any) -> Any:
+def each_seen(family: Family, values: Any) -> Reals:
     """The same for given values of a second parameter, ascending: q̂ and x̂ of each, nan where none is met."""
     matrix, out = FreeMatrix(family), np.full((2, len(values)), np.nan)
     sampled = np.unique(np.linspace(0, len(values) - 1, _SAMPLES).astype(int))
@@ -62,7 +63,7 @@ def each_seen(family: Family, values: Any) -> Any:
     return out
 
 
-def met(matrix: FreeMatrix, start: Any, half: Any) -> Any:
+def met(matrix: FreeMatrix, start: Any, half: Reals) -> Any:
     """Points at which roots are real, met from some of these, shape (variables, points)."""
     m, step = start, 0 * start[:2]
     with np.errstate(all="ignore"):
@@ -84,7 +85,7 @@ def _least(found: Any, family: Family) -> tuple[float, float] | None:
     return min(((float(q), float(x)) for q, x in found[:2, inside].T), key=lambda one: one[1], default=None)
 
 
-def _grid(family: Family, finer: int = 1) -> tuple[Any, Any]:
+def _grid(family: Family, finer: int = 1) -> tuple[Reals, Reals]:
     """Middles and halves of cells of (q̂, x̂), so many times as many each way."""
     low, high = (float(x) for x in family.box[0])
     q, cells = np.geomspace(*_Q, _CELLS * finer + 1), _X * finer

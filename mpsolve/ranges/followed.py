@@ -18,7 +18,7 @@ _TUBES = (1, 4, 16, 64, 256)
 """Numbers of boxes in which a root is followed."""
 
 
-def stretch(line: Line, number: int) -> tuple[Any, Any] | None:
+def stretch(line: Line, number: int) -> tuple[arb, arb] | None:
     """Where `number` roots are below the line together, from one ball of x̂ to another; None where that is not all.
 
     The ends of the range count as crossings where the roots are below it there.

@@ -10,6 +10,7 @@ from flint import arb
 
 from mpsolve.characteristic.floats import Floats
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.balls import precision
 from mpsolve.problem.reduced import Reduced
 from mpsolve.spectrum.closing import closing_argument
@@ -56,7 +57,7 @@ def _dets(function: Floats, q: Any) -> Any:
     return np.linalg.det(A / np.where(sizes > 0, sizes, 1))
 
 
-def corners_and_more(box: Any, seed: int = 1, more: int = 12) -> Any:
+def corners_and_more(box: tuple[Reals, Reals], seed: int = 1, more: int = 12) -> list[Reals]:
     """Points of a box (low, high): its corners, as long as they are few, and others; a fixed choice."""
     low, high = box
     ends = list(product(*zip(low, high, strict=True)))[:64]

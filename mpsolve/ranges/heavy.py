@@ -14,6 +14,7 @@ Next to q = 0 boxes are [−b, b] in q, and no root q > 0 is real where Re s and
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
@@ -29,13 +30,9 @@ from mpsolve.problem.family import Family
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.proof.vanishing import nonzero, scalar
-from mpsolve.ranges.judge import OUTSIDE, Judge
+from mpsolve.ranges.judge import CORNER, OUTSIDE, Judge
 from mpsolve.ranges.mirrored import beside_zero
 from mpsolve.ranges.scope import Scope
-
-CORNER = 5
-"""A kind of leaf: next to q = 0. OUTSIDE are masses below the least one."""
-
 
 ONLY_MASSES = (
     "has no upper end: only a factor of all masses, such as scale.mass, may grow without end, as its limit is that "
@@ -63,7 +60,7 @@ def require_masses(family: Family, path: str) -> None:
         raise InputError(path, f"{stated}: give an upper end")
 
 
-def _flat(rows: Any) -> list[Several]:
+def _flat(rows: Sequence[Sequence[Several]]) -> list[Several]:
     return [x for row in rows for x in row]
 
 
@@ -81,7 +78,9 @@ def charts(family: Family) -> tuple[FreeMatrix, FreeMatrix]:
     return FreeMatrix(quick, push), FreeMatrix(slow)
 
 
-def _rows(S: Any, M: Any, by: list[Several], mass: Several | None) -> Any:
+def _rows(
+    S: Sequence[Sequence[Several]], M: Sequence[Sequence[Fraction]], by: list[Several], mass: Several | None
+) -> tuple[tuple[Several, ...], ...]:
     return tuple(
         tuple(x * f + (mass * m if mass is not None else 0) for x, m in zip(row, masses, strict=True))
         for row, masses, f in zip(S, M, by, strict=True)
@@ -90,7 +89,9 @@ def _rows(S: Any, M: Any, by: list[Several], mass: Several | None) -> Any:
 
 @dataclass
 class HeavyJudge(Judge):
-    """Judges boxes of one chart in (q̂, w or y). least: the least x̂ in question; quick: the chart."""
+    """Judges boxes of one chart in (q̂, w or y). least: the least x̂ in question, below which boxes are OUTSIDE; quick:
+    the chart.
+    """
 
     least: float = 1.0
     quick: bool = True

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from time import process_time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from mpsolve.outcome import Reason
 from mpsolve.parallel.pool import run
@@ -16,6 +16,9 @@ from mpsolve.progress import Progress
 from mpsolve.proof.effort import MORE_EFFORT, Effort
 from mpsolve.proof.subdivide import Covered, grafted, halved, subdivide
 from mpsolve.ranges.scope import Scope, scope_of
+
+if TYPE_CHECKING:
+    from mpsolve.numbers.arrays import Reals
 
 _FIRST = 6  # halvings before the first round
 _ROUND, _LEAST = 20_000, 200  # boxes of one piece of work in a round, at most and at least
@@ -32,7 +35,7 @@ class InProcesses:
     problem: Problem
     over: Mapping[str, Interval]
     X: float
-    corners: tuple[Any, Any]
+    corners: tuple[Reals, Reals]
     tree: Any = None
     spent: int = 0
     seconds: float = 0.0

@@ -3,7 +3,7 @@
 Kinds of leaves: the determinant does not vanish; the contacts are passive, so that no passive vehicle has a real
 root, as cells of wavenumber tell or the receptance itself, which takes a verifier least; the box lies where the
 only real root has been enclosed, or outside of what is asked; or, in charts, its real roots are a part of one arc
-(`arcs`).
+(`arcs`). Masses without end have corners next to q = 0 (`heavy`), lines of questions what is not asked (`asked`).
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ import numpy as np
 from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.characteristic.free_receptance import Receptances
+from mpsolve.numbers.arrays import Reals, Truths
 from mpsolve.numbers.jets import UP
 from mpsolve.passivity.blocks import passive_on
 from mpsolve.passivity.envelope import Envelope
@@ -25,7 +26,7 @@ from mpsolve.proof.definite import positive_definite
 from mpsolve.proof.sheared import upright
 from mpsolve.proof.vanishing import Scalar, Verdict, guess, nonzero, one_at_most, scalar
 
-NONZERO, PASSIVE, ABSORBING, KNOWN, OUTSIDE, ARC = range(1, 7)
+NONZERO, PASSIVE, ABSORBING, KNOWN, OUTSIDE, ARC, CORNER, NOT_ASKED = range(1, 9)
 _SHARES = 2.0 ** -np.arange(0.0, 21.0, 1.5)  # of the size of a box round a zero that are tried, side by side
 _SMALL = 2.0**-6  # of the whole: boxes in which zeros are looked for in any case
 _TRIED = 8  # of a batch
@@ -37,7 +38,7 @@ a zero was enclosed there.
 """
 
 
-def boxes_of(low: Any, high: Any, origin: complex = 0.0, way: complex = 1j, slope: Any = None) -> Boxes:
+def boxes_of(low: Reals, high: Reals, origin: complex = 0.0, way: complex = 1j, slope: Reals | None = None) -> Boxes:
     """Boxes that hold those between the corners, middles rounded."""
     m = low / 2 + high / 2
     return Boxes(m, np.maximum(high - m, m - low) * UP + 2.0**-1000, origin, way, slope)
@@ -54,7 +55,7 @@ class Judge:
 
     matrix: FreeMatrix
     envelope: Envelope | None
-    width: Any
+    width: Reals
     found: Found | None = None
     known: list[tuple[Any, Any]] = field(default_factory=list)
     origin: complex = 0.0
@@ -66,7 +67,7 @@ class Judge:
         return self.matrix.variables
 
     @cached_property
-    def felt(self) -> Any:
+    def felt(self) -> Truths:
         """Of q̂ and each parameter whether the track and its contacts' places know it: passivity is told by these."""
         return np.array([True, *self.matrix.family.felt])
 
@@ -74,7 +75,7 @@ class Judge:
         """(kind of each box, the variable along which to halve it)."""
         return self.judged(low, high)[:2]
 
-    def judged(self, low: Any, high: Any) -> tuple[Any, Any, Scalar]:
+    def judged(self, low: Reals, high: Reals) -> tuple[Any, Any, Scalar]:
         """The same, and the reduced determinant."""
         kind, boxes = np.zeros(low.shape[1], np.int8), self.boxes(low, high)
         if boxes.slope is not None:
@@ -96,13 +97,13 @@ class Judge:
             self._look(boxes, s, kind)
         return kind, self._axis(boxes, G, s, verdict), s
 
-    def boxes(self, low: Any, high: Any) -> Boxes:
+    def boxes(self, low: Reals, high: Reals) -> Boxes:
         """Those between the corners, which may have a row of slopes below."""
         m = self.variables
         slope = low[m] if len(low) > m else None
         return boxes_of(low[:m], high[:m], self.origin, self.way, slope)
 
-    def _passive(self, envelope: Envelope, boxes: Boxes, G: Receptances, low: Any, high: Any, rest: Any) -> Any:
+    def _passive(self, envelope: Envelope, boxes: Boxes, G: Receptances, low: Reals, high: Reals, rest: Any) -> Any:
         rest = np.flatnonzero(rest)
         if len(rest):
             seems, unknown = _seems_passive(G)[rest], ~G.good[rest]
@@ -118,7 +119,7 @@ class Judge:
         a, b = np.split(sides[:, first].T, 2, axis=1)
         return rest[passive_on(envelope, a, b, _CELLS)[which.ravel()]]
 
-    def _in_known(self, low: Any, high: Any) -> Any:
+    def _in_known(self, low: Reals, high: Reals) -> Truths:
         inside = np.zeros(low.shape[1], bool)
         for a, b in self.known:
             inside |= ((low >= a[:, None]) & (high <= b[:, None])).all(0)

@@ -19,11 +19,13 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from flint import arb
 
 from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.characteristic.free_receptance import FreeReceptance, Receptances, residues
 from mpsolve.characteristic.free_roots import roots_over
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.balls import rational_ball
 from mpsolve.numbers.jets import UP, U
 from mpsolve.numbers.quadratic import Quadratic
@@ -70,7 +72,7 @@ class LastReceptance(FreeReceptance):
             return Receptances(Quadratic(k, e, xi.m)[:, which], good, strain)
 
 
-def faded(D: Quadratic, P: Quadratic, xi: Quadratic, sign: int) -> Any:
+def faded(D: Quadratic, P: Quadratic, xi: Quadratic, sign: int) -> Reals:
     """A bound of |e^{P₀ξ}| at the real points of boxes where the leading coefficient has this sign; at most 1."""
     first, lead, others = D[:, -2], D[:, -1], P.sum(-1)
     real = sign * first.k.real
@@ -102,7 +104,7 @@ class LastJudge(Judge):
         return kind, axis
 
 
-def last_strip(problem: Problem, strip: Interval, speed: Any, budget: Effort) -> Proof | None:
+def last_strip(problem: Problem, strip: Interval, speed: arb, budget: Effort) -> Proof | None:
     """That no root is real at any velocity from the start of the strip to the speed, a ball in it; None if open."""
     over = {"v": strip}
     family = family_of(problem, over)

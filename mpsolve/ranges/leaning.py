@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Complexes, Reals
 from mpsolve.numbers.quadratic import Quadratic
 from mpsolve.proof.sheared import rounded
 from mpsolve.ranges.judge import Judge
@@ -31,7 +32,7 @@ class LeaningJudge(Judge):
             slope[rows] = self._slopes(low[:, rows], high[:, rows])
         return kind, axis, slope
 
-    def _slopes(self, low: Any, high: Any) -> Any:
+    def _slopes(self, low: Reals, high: Reals) -> Reals:
         boxes, track = self.boxes(low, high), self.matrix.receptance.track
         y, rho = boxes.variables
         with np.errstate(all="ignore"):
@@ -41,7 +42,7 @@ class LeaningJudge(Judge):
             return np.where(np.isfinite(more), rounded(low[-1] + more, low, high), np.nan)
 
 
-def _more(D: Quadratic, z: Any, up: int) -> Any:
+def _more(D: Quadratic, z: Complexes, up: int) -> Reals:
     """By how much u₀ should move with u₁; nan where that helps little."""
     gap = np.abs(z[:, :up, None] - z[:, None, up:])
     flat = gap.reshape(len(z), -1)

@@ -21,12 +21,13 @@ import numpy as np
 
 from mpsolve.certificate.solve import certify_problem
 from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.balls import arb, precision, rational_ball
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
-from mpsolve.proof.subdivide import subdivide
+from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.ranges.answer import Interval, Proof, uncounted
 from mpsolve.ranges.crossingcurve import CrossingCurve
 from mpsolve.ranges.first_seen import each_seen
@@ -63,7 +64,7 @@ class Least:
 
     value: Any | None
     q: Any | None
-    worst: Any | None
+    worst: arb | None
     where: str
     proofs: tuple[Proof, ...]
 
@@ -151,7 +152,7 @@ class Question:
             columns = np.linspace(max(float(low), y - step), min(float(high), y + step), _COLUMNS)
         return None
 
-    def _hole(self, found: Candidate) -> tuple[tuple[Any, Any], Ridge]:
+    def _hole(self, found: Candidate) -> tuple[tuple[Reals, Reals], Ridge]:
         """(the corners of a box in which one crossing at most is proved for each ŷ, the crossings in it)."""
         y, whole = float(found.x), float(self.scope.high[1] - self.scope.low[1])
         m = np.array([float(found.state[0]), float(found.state[1]), y])
@@ -178,7 +179,7 @@ class Question:
         low = arb(y - half) if arb(y - half) > ends[0] else ends[0]
         high = arb(y + half) if arb(y + half) < ends[1] else ends[1]
 
-        def path(at: Any) -> list[Any]:
+        def path(at: Reals) -> list[Reals]:
             return [np.real(s) for s in found.beside(at - y)]
 
         for parts, along in product(_PARTS, _ALONG):
@@ -190,7 +191,7 @@ class Question:
                 return got
         return None
 
-    def _ceiling(self, found: Candidate, curve: Ridge, hole: tuple[Any, Any]) -> float:
+    def _ceiling(self, found: Candidate, curve: Ridge, hole: tuple[Reals, Reals]) -> float:
         """A float x̂ above the least crossing, which the crossings reach within the hole, about."""
         y, least = float(found.x), float(found.state[1])
         ends = [rational_ball(a) for a in self.scope.family.box[1]]
@@ -234,7 +235,7 @@ class Question:
         end = self.scope.family.box[1][found.where == "end"]
         return at_end(curve, found, lambda: rational_ball(end), goal)
 
-    def _proof(self, cover: Any, known: tuple[Any, ...]) -> tuple[Proof, ...]:
+    def _proof(self, cover: Covered, known: tuple[Any, ...]) -> tuple[Proof, ...]:
         family = self.scope.family
         return (Proof(self.over, family.units, family.frequency_unit, self.scope.X, cover, known, self.base),)
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError, PrecisionError
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.problem.family import Family
 from mpsolve.spectrum.candidates import Area, search
 
@@ -45,7 +46,9 @@ def least_seen(family: Family, low: float, high: float, area: Area) -> Seen | No
     return Seen(at, q, float(x[1] - x[0]))
 
 
-def _roots(family: Family, x: float, ends: tuple[Fraction, Fraction], area: Area, hints: Any, levels: int) -> Any:
+def _roots(
+    family: Family, x: float, ends: tuple[Fraction, Fraction], area: Area, hints: Complexes, levels: int
+) -> Any:
     if not len(hints) and not levels:
         return hints
     at = min(max(Fraction(x), ends[0]), ends[1])

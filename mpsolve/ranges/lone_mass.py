@@ -28,15 +28,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from flint import fmpq_poly
+from flint import arb, fmpq_poly
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.realroots import as_fmpq, end_of, is_positive, negative_point
 from mpsolve.problem.family import Interval
 from mpsolve.problem.problem import Problem
 from mpsolve.ranges.undamped import SPEEDS, at_corner, cuts_join, no_damping, of_vehicles, passive_at
+
+if TYPE_CHECKING:
+    from mpsolve.tracks.euler_bernoulli import EulerBernoulli
 
 NOTE = (
     "under one mass that is faster than the waves of an undamped beam no root comes to the real axis: no boxes are "
@@ -52,7 +55,7 @@ class Faster:
     there; None where the part is all of the range. low, high: ends of the part, as exact numbers inside of it.
     """
 
-    joins: Any | None
+    joins: arb | None
     low: Fraction
     high: Fraction
 
@@ -103,7 +106,7 @@ def _one_mass(problem: Problem, point: Mapping[str, Fraction]) -> bool:
     return one.M[0][0] > 0 and not one.C[0][0] and not one.K[0][0] and one.B[0][0] != 0
 
 
-def _polynomials(beam: Any) -> tuple[fmpq_poly, fmpq_poly, fmpq_poly]:
+def _polynomials(beam: EulerBernoulli) -> tuple[fmpq_poly, fmpq_poly, fmpq_poly]:
     """m times W, W″ and dW/dy, in y = p²; W′² = 4 y (dW/dy)²."""
     EI, T, k = (as_fmpq(x) for x in (beam.EI, beam.kp - beam.N, beam.k))
     return fmpq_poly([k, T, EI]), fmpq_poly([2 * T, 12 * EI]), fmpq_poly([T, 2 * EI])

@@ -15,6 +15,7 @@ from math import ceil, inf, log2, nextafter
 from typing import Any
 
 import numpy as np
+from flint import arb
 
 from mpsolve.certificate.solve import certify_problem
 from mpsolve.numbers.balls import acb, precision, rational_ball
@@ -68,7 +69,7 @@ class Question:
     base: Any = None
 
     @property
-    def _ends(self) -> tuple[Any, Any]:
+    def _ends(self) -> tuple[arb, arb]:
         return rational_ball(self.scope.family.box[0][0]), rational_ball(self.scope.family.box[0][1])
 
     def answer(self) -> Found:

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from flint import arb
+
 from mpsolve.errors import InputError
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.outcome import Reason
@@ -32,8 +34,8 @@ class Margin:
     own: Fraction
     over: Interval
     stable: bool | None
-    below: Any | None = None
-    above: Any | None = None
+    below: arb | None = None
+    above: arb | None = None
     reason: Reason | None = None
 
 
@@ -76,7 +78,7 @@ def margin_in(found: UnstableRanges, own: Fraction) -> Margin:
         return Margin(path, own, over, not inside, low, high)
 
 
-def _joined(found: UnstableRanges, over: Interval) -> list[tuple[Any | None, Any | None]]:
+def _joined(found: UnstableRanges, over: Interval) -> list[tuple[arb | None, arb | None]]:
     """The unstable parts in ascending order, neighbours joined; None for an end that is one of the range itself."""
     low, high = (None if end is None else rational_ball(end) for end in over)
     parts: list[tuple[Any | None, Any | None]] = []

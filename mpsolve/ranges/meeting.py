@@ -18,6 +18,7 @@ import numpy as np
 
 from mpsolve.characteristic.free_proved import FreeProved
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.balls import acb, arb, precision, rational_ball
 from mpsolve.numbers.packed import Portable
 from mpsolve.numbers.reduction import Reduction
@@ -39,7 +40,7 @@ class Meeting(Portable):
     x, y: balls, in the problem's units; q: the roots, 0 where a root is 0, once where a pair comes to 0.
     """
 
-    x: Any
+    x: arb
     y: Any
     q: tuple[Any, ...]
 
@@ -71,7 +72,7 @@ def meetings(scope: Scope, curves: Sequence[Boundary]) -> tuple[Meeting, ...]:
     return tuple(out)
 
 
-def _from_zero(about: Curves, curves: Sequence[Boundary], units: Any) -> list[Meeting]:
+def _from_zero(about: Curves, curves: Sequence[Boundary], units: Reals) -> list[Meeting]:
     """The ends of curves of pairs at q = 0."""
     ends = [(one.x[k], one.y[k]) for one in curves if not one.divergence for k in (0, -1) if one.q[k] == 0]
     if not ends:
@@ -85,7 +86,7 @@ def _from_zero(about: Curves, curves: Sequence[Boundary], units: Any) -> list[Me
     return [Meeting(x, y, (arb(0),)) for x, y in balls if x.is_finite() and y.is_finite()]
 
 
-def _crossing(scope: Scope, at: Any, size: Any) -> Meeting:
+def _crossing(scope: Scope, at: Reals, size: Any) -> Meeting:
     f = Both.near(scope.proved, at)
     middle = planar.polished(f, at.tolist())
     if at[1] == 0:
@@ -111,7 +112,7 @@ class Both:
     reductions: tuple[Reduction, Reduction]
 
     @classmethod
-    def near(cls, proved: FreeProved, at: Any) -> Both:
+    def near(cls, proved: FreeProved, at: Reals) -> Both:
         x = [arb(v) for v in at[2:].tolist()]
         one, other = (proved.matrices(acb(0, q), x, slopes=False)[0] for q in at[:2].tolist())
         return cls(proved, (Reduction.of(one, near_root=True), Reduction.of(other, near_root=True)))
@@ -120,7 +121,7 @@ class Both:
         each = zip(self.reductions, (one, other), strict=True)
         return tuple(r.scalar(self.proved.matrices(acb(0, q), [x, y], slopes=False)[0]) for r, q in each)
 
-    def slopes(self, one: Any, other: Any, x: Any, y: Any) -> tuple[Any, ...]:
+    def slopes(self, one: Any, other: arb, x: arb, y: Any) -> tuple[tuple[acb, acb, acb, acb], ...]:
         rows = []
         for k, (reduction, q) in enumerate(zip(self.reductions, (one, other), strict=True)):
             A, each = self.proved.matrices(acb(0, q), [x, y])

@@ -39,7 +39,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 from itertools import pairwise, product
-from typing import Any
 
 from mpsolve.numbers.balls import arb, greatest, least, precision, rational_ball
 from mpsolve.numbers.jets import UP
@@ -99,7 +98,7 @@ def passive_beyond(family: Family, up_to_waves: bool = False) -> float | None:
         return float(q.upper()) * UP
 
 
-def _at_corner(family: Family, x: tuple[Fraction, ...], up_to_waves: bool) -> tuple[Any, Any, Any] | None:
+def _at_corner(family: Family, x: tuple[Fraction, ...], up_to_waves: bool) -> tuple[arb, arb, arb] | None:
     """(c/2m, what ab is at most, what κδ is at least) at a corner; None if it is faster, or waves may not decay."""
     T, m, c, k = (
         abs(family.D_rest[key].at(x)) if key in family.D_rest else Fraction(0)

@@ -7,6 +7,8 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Any
 
+from flint import arb
+
 from mpsolve.certificate.solve import checked_digits
 from mpsolve.numbers.balls import rational_ball
 from mpsolve.outcome import Reason, Status
@@ -50,7 +52,7 @@ class Onset(Valued, Answer):
     kind: Kind = Kind.UNDECIDED
     value: Any | None = None
     q: Any | None = None
-    worst: Any | None = None
+    worst: arb | None = None
     where: str = ""
     left_out: tuple[LeftOut, ...] = ()
 
@@ -83,7 +85,9 @@ def onset(
     given = as_problem(problem)
     ranges = checked_over(given, over, endless=True)
 
-    def ask(over: Mapping[str, Interval], effort: Effort | None, near: tuple[Any, ...] = ()) -> Crossings:
+    def ask(
+        over: Mapping[str, Interval], effort: Effort | None, near: tuple[tuple[float, float], ...] = ()
+    ) -> Crossings:
         return found_in(given, over, digits, effort, progress, check, near)
 
     first = _up_to_first(problem, ranges, effort, ask)

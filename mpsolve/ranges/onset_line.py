@@ -19,6 +19,7 @@ from mpsolve.certificate.solve import certify_problem
 from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_proved import FreeProved
 from mpsolve.errors import InputError, PrecisionError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.balls import arb, precision, rational_ball
 from mpsolve.numbers.decimals import working_bits
 from mpsolve.numbers.jets import UP
@@ -57,8 +58,8 @@ class _Met:
 
     at: int
     crossing: Crossing
-    low: Any
-    high: Any
+    low: Reals
+    high: Reals
 
 
 def onsets_along(
@@ -123,7 +124,7 @@ class _Line:
             out[one.at] = self._in_units(scope, one.crossing, stable)
         return out
 
-    def _scaled(self, unit: Fraction) -> Any:
+    def _scaled(self, unit: Fraction) -> Reals:
         return np.array([float(value / unit) for value in self.values])
 
     def _require_stable(self, path: str, x: Fraction) -> None:
@@ -179,7 +180,7 @@ class _Line:
                     out.append(met)
         return out
 
-    def _bounds(self, scope: Scope) -> tuple[Any, Any]:
+    def _bounds(self, scope: Scope) -> tuple[Reals, Reals]:
         """Floats at or below, and at or above, each value, scaled."""
         near = self._scaled(scope.family.units[1])
         exact = [value / scope.family.units[1] for value in self.values]

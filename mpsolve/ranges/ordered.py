@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Reals, Truths
+
 _FINE = 240  # of the whole: one point is kept in each cell of this size
 _FAR = 6.0  # cells: to the next point at most
 _TO_ZERO = 24.0  # cells: to the end of a curve at q̂ = 0, where there are few points
@@ -24,11 +26,11 @@ class Path:
     q̂ = 0.
     """
 
-    points: Any
+    points: Reals
     whole: bool
 
 
-def ordered(points: Any, tangents: Any, corners: tuple[Any, Any], corrected: Corrected) -> list[Path]:
+def ordered(points: Reals, tangents: Reals, corners: tuple[Reals, Reals], corrected: Corrected) -> list[Path]:
     """Of points (q̂, x̂, ŷ) and directions, the paths of more than two points. q̂ = 0 is an edge too."""
     if points.shape[1] < 2:
         return []
@@ -54,7 +56,7 @@ def ordered(points: Any, tangents: Any, corners: tuple[Any, Any], corrected: Cor
     return out
 
 
-def _walk(z: Any, way: Any, start: int, sign: float, free: Any) -> tuple[list[int], bool]:
+def _walk(z: Reals, way: Reals, start: int, sign: float, free: Truths) -> tuple[list[int], bool]:
     """(the next points one after the other, whether they come back to the start); they are free no more."""
     at, direction = start, sign * way[:, start]
     out: list[int] = []
@@ -77,7 +79,7 @@ def _walk(z: Any, way: Any, start: int, sign: float, free: Any) -> tuple[list[in
         out.append(at)
 
 
-def _to_edges(rows: Any, closed: bool, corners: tuple[Any, Any], whole: Any, corrected: Corrected) -> Path:
+def _to_edges(rows: Reals, closed: bool, corners: tuple[Reals, Reals], whole: Reals, corrected: Corrected) -> Path:
     """With the ends on the edge, where it is near."""
     if closed:
         return Path(rows, True)
@@ -88,7 +90,7 @@ def _to_edges(rows: Any, closed: bool, corners: tuple[Any, Any], whole: Any, cor
     return Path(np.array(points).T, all(one is not None for one in ends))
 
 
-def _on_edge(last: Any, before: Any, corners: tuple[Any, Any], whole: Any, corrected: Corrected) -> Any:
+def _on_edge(last: Reals, before: Reals, corners: tuple[Reals, Reals], whole: Reals, corrected: Corrected) -> Any:
     """The point on the edge to which the last step leads; None where none is near."""
     step = last - before
     best: tuple[float, int, float] | None = None

@@ -11,7 +11,7 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 from time import process_time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.balls import rational_ball
@@ -23,6 +23,9 @@ from mpsolve.ranges.answer import Spent, joined_cost
 from mpsolve.ranges.last_strip import last_strip
 from mpsolve.ranges.left_out import LeftOut, Speed, not_whole, shown, speeds_within
 from mpsolve.ranges.on_string import quiet
+
+if TYPE_CHECKING:
+    from mpsolve.ranges.crossed import Crossings
 
 _SHARES = tuple(Fraction(1, n) for n in (8, 11, 16, 22, 32, 45, 64))
 """Of the speed: how far from it a part ends; each next strip is proved by itself, as faster waves need more boxes."""
@@ -126,7 +129,7 @@ def _up_to(problem: Problem, found: Any, speed: Speed, effort: Effort | None) ->
     return _adjoined(found, more)
 
 
-def _tried(find: Find, strip: Interval, effort: Effort | None) -> Any:
+def _tried(find: Find, strip: Interval, effort: Effort | None) -> Crossings | None:
     seconds = None if effort is None else effort.seconds
     try:
         found = find({"v": strip}, Effort(seconds, _BOXES))

@@ -12,9 +12,8 @@ from __future__ import annotations
 from fractions import Fraction
 from itertools import product
 from math import comb
-from typing import Any
 
-from flint import fmpq, fmpq_mpoly_ctx, fmpq_poly
+from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.realroots import as_fmpq, is_positive
@@ -75,7 +74,7 @@ def _keeps_sign(row: dict[tuple[int, ...], Fraction], interval: Interval) -> boo
     return ends != 0 and (is_positive(total) or is_positive(-total))
 
 
-def _conditions(family: Family, free: list[int]) -> list[Any]:
+def _conditions(family: Family, free: list[int]) -> list[fmpq_mpoly]:
     """Polynomials in y and the free parameters that must be positive, FLINT's, with positive powers only."""
     context = fmpq_mpoly_ctx.get(("y", *(f"x{k}" for k in free)), "lex")
     lowest = [min((e[k] for c in family.D_rest.values() for e, _ in c), default=0) for k in free]
@@ -91,7 +90,7 @@ def _conditions(family: Family, free: list[int]) -> list[Any]:
     return [D[-1], D[0], *hurwitz_minors(D)[:-1]]  # the last is the one before it times D[0]
 
 
-def _rows_in_y(polynomial: Any, free: int) -> list[dict[tuple[int, ...], Fraction]]:
+def _rows_in_y(polynomial: fmpq_mpoly, free: int) -> list[dict[tuple[int, ...], Fraction]]:
     """For each power of y the polynomial in the parameters; the lowest power of y divided out."""
     out: dict[int, dict[tuple[int, ...], Fraction]] = {}
     for key, c in polynomial.to_dict().items():

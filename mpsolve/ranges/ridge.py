@@ -17,6 +17,7 @@ import numpy as np
 
 from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_matrix import FreeMatrix
+from mpsolve.numbers.arrays import Complexes, Reals, Truths
 from mpsolve.numbers.balls import acb, arb, arb_mat, precision
 from mpsolve.numbers.jets import U
 from mpsolve.numbers.quadratic import Quadratic
@@ -30,19 +31,19 @@ REGULAR = 0.9
 _TURNED = 1 + 2.0**-40  # more than the modulus of a float next to the unit circle
 
 
-def alone(matrix: FreeMatrix, middle: Any, size: Any) -> Any:
+def alone(matrix: FreeMatrix, middle: Any, size: Any) -> Truths:
     """Which boxes (columns) have one crossing at most for each y, in their halves."""
     A, G = matrix(Boxes(middle, size))
     reduced = scalar(A, G.good)
     return reduced.good & one_for_each(reduced.s)
 
 
-def one_for_each(s: Quadratic) -> Any:
+def one_for_each(s: Quadratic) -> Truths:
     """Boxes (three variables) in whose half s is injective in the first two of them."""
     return unevenness(s) < REGULAR
 
 
-def unevenness(s: Quadratic) -> Any:
+def unevenness(s: Quadratic) -> Reals:
     """A bound of by how much the slopes by the first two variables vary in half a box, times their inverse; or ∞.
 
     Below 1 the map is injective in them for each value of the third: with J the real slopes at the middle, the means
@@ -61,7 +62,7 @@ def unevenness(s: Quadratic) -> Any:
         return np.where(np.isfinite(worst), worst, np.inf)
 
 
-def solved(g0: Any, g1: Any, z: Any) -> Any:
+def solved(g0: Complexes, g1: Complexes, z: Complexes) -> Reals:
     """Bounds of |w| for real w with g₀w₀ + g₁w₁ = z; ∞ where there may be none."""
     lost = 8 * U
     det = np.abs((g0.conj() * g1).imag) - lost * np.abs(g0) * np.abs(g1)
@@ -73,7 +74,7 @@ def solved(g0: Any, g1: Any, z: Any) -> Any:
     return np.where(det > 0, w / det * (1 + 16 * U), np.inf)
 
 
-def solved_size(g0: Any, g1: Any, size: Any) -> Any:
+def solved_size(g0: Complexes, g1: Complexes, size: Any) -> Reals:
     """The same for all z of a modulus."""
     with np.errstate(all="ignore"):
         det = np.abs((g0.conj() * g1).imag) - 8 * U * np.abs(g0) * np.abs(g1)
@@ -88,10 +89,10 @@ class Ridge:
     part; rates: balls of x′ and x″.
     """
 
-    edges: tuple[Any, ...]
-    boxes: tuple[tuple[Any, Any], ...]
-    places: tuple[tuple[Any, Any], ...]
-    rates: tuple[tuple[Any, Any], ...]
+    edges: tuple[arb, ...]
+    boxes: tuple[tuple[Reals, Reals], ...]
+    places: tuple[tuple[arb, arb], ...]
+    rates: tuple[tuple[arb, arb], ...]
 
     @property
     def falls(self) -> bool:
@@ -133,7 +134,7 @@ class Ridge:
 
 
 def ridge(
-    matrix: FreeMatrix, path: Callable[[Any], Any], edges: list[Any], slack: float, least: float
+    matrix: FreeMatrix, path: Callable[[Any], Any], edges: list[arb], slack: float, least: float
 ) -> Ridge | None:
     """The crossings followed over neighbouring intervals of ŷ; None where that is not proved. path: floats.
 
@@ -172,9 +173,9 @@ class _Model:
     """The coefficients of 1, u_i, u_i u_j (i ≤ j) and a bound of the rest."""
 
     k: list[Any]
-    e: Any
+    e: arb
 
-    def _rest(self, share: int) -> Any:
+    def _rest(self, share: int) -> acb:
         ball = arb(0, (self.e * share).upper())
         return acb(ball, ball)
 
@@ -183,7 +184,7 @@ class _Model:
         square = c00 * u * u + c01 * u * w + c02 * u * t + c11 * w * w + c12 * w * t + c22 * t * t
         return a + b0 * u + b1 * w + b2 * t + square + self._rest(1)
 
-    def slopes(self, u: Any, w: Any, t: Any) -> tuple[Any, Any, Any]:
+    def slopes(self, u: acb, w: acb, t: acb) -> tuple[acb, acb, acb]:
         _, b0, b1, b2, c00, c01, c02, c11, c12, c22 = self.k
         return (
             b0 + 2 * c00 * u + c01 * w + c02 * t + self._rest(2),
@@ -191,7 +192,7 @@ class _Model:
             b2 + c02 * u + c12 * w + 2 * c22 * t + self._rest(2),
         )
 
-    def rates(self, t: Any) -> tuple[Any, Any, Any, Any] | None:
+    def rates(self, t: arb) -> tuple[arb, arb, arb, arb] | None:
         """(u₀, u₁, u₁′, u₁″) of the only crossing in the square, for all t in a ball; None where none is."""
         u = w = arb(0, _SIDE)
         for k in range(_SHARPER):
@@ -214,7 +215,7 @@ class _Model:
         along, up = -(s2 * s1.conjugate()).imag / (s0 * s1.conjugate()).imag, -(s0.conjugate() * s2).imag / turn
         return u, w, up, -(s0.conjugate() * self._second(along, up)).imag / turn
 
-    def _second(self, u: Any, w: Any) -> Any:
+    def _second(self, u: arb, w: arb) -> Any:
         """The second derivative along (u, w, 1)."""
         *_, c00, c01, c02, c11, c12, c22 = self.k
         pure, mixed = self._rest(8), self._rest(4)

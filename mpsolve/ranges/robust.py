@@ -6,12 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from time import process_time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from mpsolve.certificate.solve import certify_problem
 from mpsolve.errors import EffortError, InputError, PrecisionError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.outcome import Status
 from mpsolve.parallel.pool import checked_workers
 from mpsolve.parallel.threads import one_thread
@@ -30,6 +31,9 @@ from mpsolve.ranges.never import never_unstable
 from mpsolve.ranges.robust_answer import Robust
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
 from mpsolve.ranges.verified import verified
+
+if TYPE_CHECKING:
+    from mpsolve.spectrum.spectrum import Spectrum
 
 _BOXES = 1_000_000
 _TRIED = 12  # open boxes at which a root that grows is looked for
@@ -105,14 +109,14 @@ class _Question:
         seconds = spectrum.cost.verification if spectrum is not None else 0.0
         return Spent(process_time() - self.started - seconds, seconds, self.budget.spent)
 
-    def certified(self, x: Any) -> tuple[Mapping[str, Fraction], Any]:
+    def certified(self, x: Reals) -> tuple[Mapping[str, Fraction], Spectrum]:
         """The certified spectrum at a float point of x̂, and the point in the problem's units."""
         family = self.scope.family
         exact = [min(max(Fraction(float(t)), a), b) for t, (a, b) in zip(x, family.box, strict=True)]
         point = {path: t * unit for path, t, unit in zip(family.paths, exact, family.units, strict=True)}
         return point, certify_problem(family.at(exact), region="unstable", digits=15, check=self.check)
 
-    def refuted(self, x: Any) -> Robust | None:
+    def refuted(self, x: Reals) -> Robust | None:
         """The answer where a root grows at this point."""
         point, found = self.certified(x)
         if found.stable is not False:
@@ -132,7 +136,7 @@ class _Question:
         bad = self.seen(corners_and_more((self.scope.low, self.scope.high)))
         return self.refuted(bad) if bad is not None else None
 
-    def seen(self, points: list[Any]) -> Any:
+    def seen(self, points: list[Reals]) -> Reals | None:
         """The first of these points at which floats count a root that grows; None where there is none."""
         family = self.scope.family
         for x in points:

@@ -32,7 +32,7 @@ class Robust(Answer):
         where = ", ".join(f"{path} = {shown(value)}" for path, value in self.counterexample.items())
         return f"not stable, roots grow at {where}: {self.spectrum.trust}"
 
-    def rows(self) -> list[Mapping[str, Any]]:
+    def rows(self) -> list[Mapping[str, float]]:
         """The answer as a table, numbers as floats: one mapping for each row."""
         out: list[Mapping[str, Any]] = []
         for box in self.open:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from flint import arb
+
 from mpsolve.characteristic.free_proved import FreeProved
 from mpsolve.numbers.balls import acb
 from mpsolve.numbers.reduction import Reduction
@@ -28,10 +30,10 @@ class AtPoint:
     def value(self, q: Any) -> Any:
         return self.reduction.scalar(self.proved.matrices(acb(0, 1) * q, [self.x], slopes=False)[0])
 
-    def slope(self, q: Any) -> Any:
+    def slope(self, q: Any) -> acb:
         return self.both(q)[1]
 
-    def both(self, q: Any) -> tuple[Any, Any]:
+    def both(self, q: Any) -> tuple[acb, acb]:
         A, (A_sigma, _) = self.proved.matrices(acb(0, 1) * q, [self.x])
         return self.reduction.scalar(A), acb(0, 1) * self.reduction.scalar_slope(A, A_sigma)
 
@@ -48,15 +50,15 @@ class RootCurve:
 
     proved: FreeProved
 
-    def near(self, state: tuple[Any, ...], x: Any) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+    def near(self, state: tuple[acb, ...], x: arb) -> tuple[tuple[acb, ...], tuple[acb, ...]]:
         f = AtPoint.near(self.proved, state[0], x)
         root = newton.polished(f, state[0])
         return (root,), (f.motion(root).mid(),)
 
-    def rise(self, rates: tuple[Any, ...]) -> Any:
+    def rise(self, rates: tuple[acb, ...]) -> arb:
         return rates[0].imag
 
-    def enclosed(self, state: tuple[Any, ...], x: Any, goal: int) -> tuple[tuple[Any, ...], Any]:
+    def enclosed(self, state: tuple[acb, ...], x: arb, goal: int) -> tuple[tuple[acb, ...], arb]:
         f = AtPoint.near(self.proved, state[0], x)
         ball = newton.sharpened(f, newton.isolated(f, newton.polished(f, state[0]), abs(state[0])).image, goal)
         return (ball,), f.motion(ball).imag

@@ -15,6 +15,7 @@ import numpy as np
 from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.characteristic.free_proved import FreeProved
 from mpsolve.errors import InputError, PrecisionError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.jets import UP
 from mpsolve.numbers.model import rational, shown
 from mpsolve.outcome import Reason
@@ -89,12 +90,12 @@ class Scope:
         return FreeProved(self.family, self.matrix.receptance.track.up)
 
     @cached_property
-    def low(self) -> Any:
+    def low(self) -> Reals:
         """The corner of the box of x̂, rounded down."""
         return np.array([_down(a) for a, _ in self.family.box])
 
     @cached_property
-    def high(self) -> Any:
+    def high(self) -> Reals:
         return np.array([-_down(-b) for _, b in self.family.box])
 
     @cached_property
@@ -162,7 +163,7 @@ class Scope:
         return kind(self.matrix, self.envelope if self.reach is None else None, width, **more)
 
     @property
-    def corners(self) -> tuple[Any, Any]:
+    def corners(self) -> tuple[Reals, Reals]:
         """Of the box in (q̂, x̂) that is to be covered."""
         return np.concatenate([[0.0], self.low]), np.concatenate([[self.X], self.high])
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.balls import precision
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
@@ -36,7 +37,7 @@ class Search:
 
     scope: Scope
     digits: int
-    side: tuple[Edge, Any, Any] | None = None
+    side: tuple[Edge, Reals, Reals] | None = None
 
     def __post_init__(self) -> None:
         self.edge, self.low, self.high = self.side or (REAL_AXIS, *self.scope.corners)
@@ -64,7 +65,7 @@ class Search:
         kind = Judge if self.edge.down else LeaningJudge
         return kind(self.scope.matrix, None, width, origin=self.edge.origin, way=self.edge.way, begins=begins)
 
-    def enclose(self, point: Any, half: Any) -> bool:
+    def enclose(self, point: Reals, half: Reals) -> bool:
         """Enclose the zero near a float point; True where it was. Next to q = 0 it is first looked for there.
 
         half: of the box that shows it: where this failed it is tried again from much smaller boxes only.

@@ -32,7 +32,7 @@ class Moved(Portable):
     """A root and its slopes: `by[path]` is a ball of dq/d(parameter), Im below 0 where growth comes with it."""
 
     q: Any
-    by: Mapping[str, Any]
+    by: Mapping[str, acb]
 
 
 @dataclass(frozen=True)
@@ -96,7 +96,7 @@ def sensitivity(
     return Sensitivity(problem, {}, status, reason, cost=cost, note=note, roots=roots, left_out=left, spectrum=found)
 
 
-def _slopes(problem: Problem, path: str, roots: list[Any]) -> list[Any]:
+def _slopes(problem: Problem, path: str, roots: list[acb]) -> list[acb]:
     """dq/d(parameter) for each root; None where balls do not tell."""
     value = problem.parameters[path]
     family = family_of(problem, {path: (value, value)})

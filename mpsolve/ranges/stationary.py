@@ -44,7 +44,7 @@ class Candidate:
     slope, bend: those of the height.
     """
 
-    x: Any
+    x: arb
     state: State
     where: str
     first: tuple[complex, ...]
@@ -83,7 +83,7 @@ def lowest_near(curve: Curve, state: State, x: float, ends: tuple[Any, Any], ste
     raise PrecisionError("no lowest point is found near where one seems to be")
 
 
-def _within(x: Any, low: Any, high: Any) -> Any:
+def _within(x: arb, low: arb, high: arb) -> arb:
     return low if x <= low else high if x >= high else arb(x.mid())
 
 
@@ -95,7 +95,7 @@ def _moved(state: State, rates: State, step: Any) -> State:
 class Lowest:
     """x̂ and the state there in balls; beside: exact x̂, and states in balls, where the slopes differ in sign."""
 
-    x: Any
+    x: arb
     state: State
     beside: tuple[tuple[Any, State], ...]
 
@@ -128,7 +128,7 @@ def sharpened(curve: Curve, found: Candidate, goal: int) -> Lowest:
     raise PrecisionError("the lowest point could not be sharpened")
 
 
-def _enclosed(curve: Curve, x: Any, state: State, goal: int) -> Lowest:
+def _enclosed(curve: Curve, x: arb, state: State, goal: int) -> Lowest:
     with precision(goal + 2 * GUARD):
         reach = arb((abs(x).upper() * arb(2) ** -goal).mid())
         slopes, beside = [], []

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.free_matrix import FreeMatrix
+from mpsolve.numbers.arrays import Reals
 from mpsolve.proof.subdivide import BATCH, Tree
 from mpsolve.ranges.arcs import HALF, PIECES, Arcs, arcs
 from mpsolve.ranges.cells import marked
@@ -22,12 +23,12 @@ class Strips:
     exactly for those whose zeros have q = 0.
     """
 
-    low: Any
-    high: Any
-    near: Any
+    low: Reals
+    high: Reals
+    near: Reals
 
 
-def strips_of(matrix: FreeMatrix, low: Any, high: Any, corners: tuple[Any, Any], cells: int) -> Strips:
+def strips_of(matrix: FreeMatrix, low: Reals, high: Reals, corners: tuple[Reals, Reals], cells: int) -> Strips:
     """Of leaves with arcs. corners: of the whole; cells: how fine the strips are, along each parameter."""
     boxes: list[tuple[Any, Any]] = [(np.zeros((2, 0)), np.zeros((2, 0)))]
     points = [np.zeros((3, 0))]
@@ -69,11 +70,11 @@ class _Parts:
     """
 
     pick: Arcs
-    centre: Any
+    centre: Reals
     size: Any
 
 
-def _parts(found: Arcs, t: float, corners: tuple[Any, Any], cells: int) -> _Parts:
+def _parts(found: Arcs, t: float, corners: tuple[Reals, Reals], cells: int) -> _Parts:
     half, whole = HALF / PIECES, (corners[1] - corners[0])[:, None]
     piece = found.pieces(t, half)
     reach = np.nan_to_num(np.abs(piece.lean) * half, nan=np.inf)
@@ -89,7 +90,7 @@ def _parts(found: Arcs, t: float, corners: tuple[Any, Any], cells: int) -> _Part
     return _Parts(pick, centre, pick.place(np.abs(lean) * share + around, share) * pick.r)
 
 
-def free_cells(corners: tuple[Any, Any], tree: Tree, strips: Strips, cells: int) -> Any:
+def free_cells(corners: tuple[Reals, Reals], tree: Tree, strips: Strips, cells: int) -> Any:
     """The cells, so many along each parameter, over which no root is real: neither strips nor open boxes meet them.
 
     Cells are exact parts of the range, shares are of floats next to its ends: in a narrow range that is not the same.

@@ -64,7 +64,7 @@ class UnstableRanges(Answer):
     intervals: tuple[Unstable, ...] = ()
     left_out: tuple[LeftOut, ...] = ()
 
-    def rows(self) -> list[Mapping[str, Any]]:
+    def rows(self) -> list[Mapping[str, float | None]]:
         """The answer as a table, numbers as floats: one mapping for each row."""
         return [
             {"start": near(i.start), "end": near(i.end), "q": near(i.q), "roots": i.roots} for i in self.intervals
@@ -127,7 +127,7 @@ def found_in(
     effort: Effort | None,
     progress: Progress | None,
     check: bool,
-    near: tuple[Any, ...] = (),
+    near: tuple[tuple[float, float], ...] = (),
 ) -> Crossings:
     one_path(ranges)
     with one_thread():

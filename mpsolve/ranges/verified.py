@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from time import process_time
-from typing import Any
 
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import CertificateError, PrecisionError
@@ -20,7 +19,7 @@ class Verified:
     """status: PROVED if the certificate passed, else UNVERIFIED; note: why there is none; seconds: of the check."""
 
     status: Status
-    certificate: Any = None
+    certificate: Certificate | None = None
     note: str = ""
     seconds: float = 0.0
 

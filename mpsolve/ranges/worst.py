@@ -8,6 +8,8 @@ from fractions import Fraction
 from time import process_time
 from typing import Any
 
+from flint import arb
+
 from mpsolve.certificate.solve import checked_digits
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.numbers.plain import plain
@@ -45,7 +47,7 @@ class Worst(Valued, Answer):
     reach: Fraction | None = None
 
     @property
-    def growth(self) -> Any | None:
+    def growth(self) -> arb | None:
         """−Im q, the rate at which it grows: e^{growth t}."""
         return None if self.q is None else -self.q.imag
 

@@ -61,7 +61,7 @@ class Look:
         """Colour and style of the k-th of several lines."""
         return {"color": self.series[k % len(self.series)], "linestyle": self.dashes[k % len(self.dashes)]}
 
-    def root(self, grows: bool) -> dict[str, Any]:
+    def root(self, grows: bool) -> dict[str, str]:
         """A root is a disc, and a diamond if it grows."""
         colour = self.unstable if grows else self.stable
         return {"marker": "D" if grows else "o", "color": colour, "markeredgecolor": "white", "linestyle": ""}

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.arrays import Reals, Truths
 from mpsolve.report.figures import require_matplotlib, save_panels
 from mpsolve.vibration.case_motion import Response
 from mpsolve.vibration.case_units import Scale
@@ -35,11 +36,11 @@ class Scene:
     parts: (places, times) each, forces (contacts, times), both as they are shown; places: where each panel is.
     """
 
-    times: Any
-    within: Any
+    times: Reals
+    within: Truths
     places: Sequence[str]
-    parts: Mapping[str, Any]
-    forces: Any
+    parts: Mapping[str, Reals]
+    forces: Reals
     length: float
     time_label: str
     length_label: str
@@ -77,7 +78,7 @@ def scene(found: Vibration | Response, scale: Scale | None = None) -> Scene:
 
 
 def draw_curves(
-    shown: Scene, curves: Mapping[str, Any], ax: Axes, label: str, colours: Sequence[str] = _PALETTE
+    shown: Scene, curves: Mapping[str, Reals], ax: Axes, label: str, colours: Sequence[str] = _PALETTE
 ) -> Axes:
     """Curves over the times; pale after the first lift-off, which a line marks."""
     order = np.argsort(shown.times)
@@ -125,7 +126,7 @@ def save_motion(found: Vibration | Response, path: Path, title: str = "", scale:
 
 
 def save_comparison(
-    found: Vibration | Response, curves: Mapping[str, Any], path: Path, title: str = "", scale: Scale | None = None
+    found: Vibration | Response, curves: Mapping[str, Reals], path: Path, title: str = "", scale: Scale | None = None
 ) -> Path:
     """Deflections under the rear contact by their names, in the units of `found`, in one panel."""
     shown = scene(found, scale)

@@ -56,7 +56,7 @@ def _entry(model: Any, module: str) -> str:
     return "\n".join([head, says, "", model.drawing.rstrip("\n"), "", *(line.rstrip() for line in table)]) + "\n"
 
 
-def _said(quantity: Quantity, optional: bool, default: Any) -> tuple[str, str]:
+def _said(quantity: Quantity, optional: bool, default: Fraction | None) -> tuple[str, str]:
     """The meaning, and what may be given."""
     if isinstance(default, Fraction):
         given = f"{shown(default)} if left out"

@@ -20,13 +20,17 @@ _NO_END = "has no upper end, which only onset and crossings may have: give one, 
 
 @dataclass(frozen=True)
 class Asked:
-    """given: of the file; problem: the same as a Problem; overs: the ranges, by default where the user gave none."""
+    """given: of the file; problem: the same as a Problem; overs: the ranges, by default where the user gave none.
+
+    slower: of an answer that speaks of v only from a small velocity on, though it was asked from 0 on.
+    """
 
     given: Given
     problem: Problem
     title: str
     overs: tuple[Over, ...]
     by_default: bool = False
+    slower: bool = False
 
     @property
     def over(self) -> dict[str, tuple[Fraction, Any]]:
@@ -65,9 +69,9 @@ class Asked:
 
     def answered(self, over: Mapping[str, tuple[Fraction, Fraction]]) -> Asked:
         """The same question over the ranges of which an answer speaks."""
-        return replace(
-            self, overs=tuple(replace(one, low=over[one.path][0], high=over[one.path][1]) for one in self.overs)
-        )
+        slower = any(one.path == "v" and one.low == 0 and over["v"][0] > 0 for one in self.overs)
+        overs = tuple(replace(one, low=over[one.path][0], high=over[one.path][1]) for one in self.overs)
+        return replace(self, overs=overs, slower=slower or self.slower)
 
     def _of(self, path: str, low: Fraction, high: Fraction) -> Over:
         unit = self.problem.quantity(path).unit if self.si else ""

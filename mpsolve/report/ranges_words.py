@@ -200,6 +200,11 @@ def frequency_text(q: Any, asked: Asked, digits: int) -> str:
         return f"q = {number} rad/s ({rounded(q / (2 * arb.pi()))} Hz)"
 
 
+_SLOWER = (
+    "Nothing is claimed of slower velocities, as the equations lose waves at v = 0; certify decides v = 0 itself."
+)
+
+
 def framed(lines: list[str], found: Answer, asked: Asked) -> str:
     """The report: title, verdict, numbers; then the ranges, warnings, and how sure it is."""
     title = [asked.title] if asked.title else []
@@ -207,6 +212,7 @@ def framed(lines: list[str], found: Answer, asked: Asked) -> str:
     lines = [*title, *lines, f"The range: {asked.ranges}{default}."]
     limited = found.proved and (_speeds(found) or BEYOND in found.note)
     lines += [f"Note: {found.note}."] if limited else []
+    lines += [_SLOWER] if asked.slower else []
     lines += [f"Warning: {reason}." for reason in asked.warnings]
     return "\n".join([*lines, trust(found), f"Assumed: {ASSUMED}"]) + "\n"
 

@@ -12,6 +12,7 @@ import numpy as np
 from mpsolve.characteristic.forced import receptance
 from mpsolve.errors import InputError
 from mpsolve.files import csv_text
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import shown
 from mpsolve.problem.problem import Problem
@@ -36,7 +37,7 @@ class Receptances:
     title: str
     xi: tuple[float, ...]
     omega: tuple[float, ...]
-    G: Any
+    G: Complexes
     contacts: Any = None
     si: bool = False
 
@@ -94,7 +95,7 @@ def receptances(
     return Receptances(problem, title, xi, omega, G, _between(problem, omega) if contacts else None, si)
 
 
-def _between(problem: Problem, omega: tuple[float, ...]) -> Any:
+def _between(problem: Problem, omega: tuple[float, ...]) -> Complexes:
     places = np.array([float(x) for x in problem.pencil.places])
     if len(set(places.tolist())) < len(places):
         raise InputError("--contacts", "asks for a matrix, but two contacts stand at one place: it has no inverse")

@@ -12,6 +12,11 @@ _COMMAND = (
         "give unstable, below=H, RE_MIN,RE_MAX,IM_MIN,IM_MAX, or sheet",
     ),
     ('ask for "unstable"', "try --region unstable"),
+    (
+        "declare the branch cuts, as in cuts=[Cut.ray(origin, direction)]",
+        "declare the branch cuts, each with --cut RE IM DRE DIM",
+    ),
+    ('or for ("below", h) give h up to', "or give --region below=H with H up to"),
     ("give h up to", "give --region below=H with H up to"),
     ("or for more digits", "or more --digits"),
     ("ask for more digits", "ask for more --digits"),

@@ -180,7 +180,7 @@ def _shape(root: Root, digits: int) -> dict[str, Any] | None:
     }
 
 
-def _complex(q: Any, digits: int) -> dict[str, Any]:
+def _complex(q: Any, digits: int) -> dict[str, dict[str, str]]:
     with precision(working_bits(digits)):
         return {"re": _ball(q.real, digits), "im": _ball(q.imag, digits)}
 

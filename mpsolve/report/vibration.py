@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from enum import Enum
-from typing import Any
 
 from flint import arb
 
@@ -32,9 +31,9 @@ class Vibration:
     """
 
     root: Root
-    frequency: Any
-    rate: Any
-    time: Any
+    frequency: arb
+    rate: arb
+    time: arb | None
     trend: Trend
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
+
+from flint import arb
 
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import proved_digits, working_bits
@@ -79,7 +80,7 @@ def _lines(found: Worst, asked: Asked) -> list[str]:
     return lines
 
 
-def _rate(growth: Any, asked: Asked, digits: int) -> str:
+def _rate(growth: arb, asked: Asked, digits: int) -> str:
     from flint import arb
 
     with precision(working_bits(digits)):

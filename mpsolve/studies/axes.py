@@ -90,7 +90,7 @@ def _axis(given: Any, name: str, design: str) -> Axis:
     return Listed(tuple(values))
 
 
-def _span(given: Mapping[Any, Any], key: str) -> Span:
+def _span(given: Mapping[str, Any], key: str) -> Span:
     span = Span(**specs.rationals(given, key, _SPAN))
     if not span.low < span.high:
         raise InputError(f"{key}.high", "is not above low: give the bounds in order")

@@ -61,7 +61,7 @@ class Steps:
         return self.start, self.at(self.count - 1)
 
     @property
-    def canonical(self) -> Any:
+    def canonical(self) -> dict[str, str]:
         return {"start": str(self.start), "stop": str(self.at(self.count - 1)), "step": str(self.step)}
 
 
@@ -89,7 +89,7 @@ class Span:
         return self.low, self.high
 
     @property
-    def canonical(self) -> Any:
+    def canonical(self) -> dict[str, str]:
         return {"low": str(self.low), "high": str(self.high)}
 
 

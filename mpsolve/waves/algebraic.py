@@ -35,18 +35,18 @@ class Algebraic:
         return real_roots(self.m, bits)[self.index]
 
 
-def real_roots(m: fmpz_poly, bits: int) -> tuple[Any, ...]:
+def real_roots(m: fmpz_poly, bits: int) -> tuple[arb, ...]:
     """All real roots of an irreducible polynomial in ascending order, as disjoint balls of about this many bits."""
     return _real_roots(tuple(int(c) for c in m.coeffs()), bits)
 
 
 @lru_cache(maxsize=256)
-def _real_roots(coefficients: tuple[int, ...], bits: int) -> tuple[Any, ...]:
+def _real_roots(coefficients: tuple[int, ...], bits: int) -> tuple[arb, ...]:
     with precision(bits):
         return tuple(_isolated_reals(fmpz_poly(list(coefficients))))
 
 
-def _isolated_reals(m: fmpz_poly) -> list[Any]:
+def _isolated_reals(m: fmpz_poly) -> list[arb]:
     if m.degree() == 1:
         return [arb(-m[0]) / arb(m[1])]
     found = [arb(root.real) for root, _ in complex_roots(m) if root.imag == 0]
@@ -109,12 +109,12 @@ def split(a: list[fmpq_poly], b: Sequence[fmpq_poly], m: fmpq_poly) -> tuple[lis
     return shared, divided(a, shared, m)[0]
 
 
-def places(a: list[fmpq_poly], at: Algebraic, bits: int) -> list[Any]:
+def places(a: list[fmpq_poly], at: Algebraic, bits: int) -> list[arb]:
     """The real roots of a squarefree polynomial over the field as balls, ascending; PrecisionError if not apart."""
     if len(a) < 2:
         return []
 
-    def apart(bits: int) -> list[Any]:
+    def apart(bits: int) -> list[arb]:
         try:
             roots = isolated(embedded(a, at.ball(bits)))
         except ValueError:
@@ -126,12 +126,12 @@ def places(a: list[fmpq_poly], at: Algebraic, bits: int) -> list[Any]:
     return climb(apart, bits, _MOST_BITS)
 
 
-def embedded(a: Sequence[fmpq_poly], x: Any) -> Any:
+def embedded(a: Sequence[fmpq_poly], x: arb) -> acb_poly:
     """The polynomial in balls at the ball x of the velocity."""
     return acb_poly([fmpq_value(c, x) for c in a])
 
 
-def fmpq_value(c: fmpq_poly, x: Any) -> Any:
+def fmpq_value(c: fmpq_poly, x: arb) -> arb:
     """c(x) in balls."""
     out = arb(0)
     for coefficient in reversed(c.coeffs()):
@@ -139,7 +139,7 @@ def fmpq_value(c: fmpq_poly, x: Any) -> Any:
     return out
 
 
-def isolated(f: Any) -> list[Any]:
+def isolated(f: Any) -> list[acb]:
     """All roots of a polynomial in balls, each as sharp as they allow; ValueError where they are not apart.
 
     Each ball holds one root, and a step of interval Newton keeps it.
@@ -148,7 +148,7 @@ def isolated(f: Any) -> list[Any]:
     return [_sharpened(f, across, root) for root in f.roots()]
 
 
-def _sharpened(f: Any, across: Any, root: Any) -> Any:
+def _sharpened(f: Any, across: acb_poly, root: acb) -> acb:
     for _ in range(_STEPS):
         bend = across(root)
         if bend.contains(0):
@@ -162,7 +162,7 @@ def _sharpened(f: Any, across: Any, root: Any) -> Any:
     return root
 
 
-def _decided(root: Any, roots: list[Any]) -> bool:
+def _decided(root: acb, roots: list[acb]) -> bool:
     """Whether the root is not real, or real because its conjugate can be no other."""
     if not root.imag.contains(0):
         return True

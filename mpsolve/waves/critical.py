@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
-from flint import fmpq_poly
+from flint import fmpq, fmpq_poly
 
 from mpsolve.errors import ContradictionError, InputError, PrecisionError
 from mpsolve.numbers.balls import arb, precision, rational_ball
@@ -67,7 +67,7 @@ class _Search:
     """One line, its range, and what is found along it."""
 
     def __init__(
-        self, along: Line, omega: Fraction, low: Fraction, high: Fraction, bits: int, names: Mapping[Any, str]
+        self, along: Line, omega: Fraction, low: Fraction, high: Fraction, bits: int, names: Mapping[fmpq, str]
     ) -> None:
         self.line, self.omega, self.low, self.high, self.bits, self.names = along, omega, low, high, bits, names
         self.undecided: list[Any] = []
@@ -144,7 +144,7 @@ class _Search:
         elif not root < 0 and not place.annuls(self.line.rows[0]):
             raise PrecisionError("the square of a wavenumber has no proved sign")
 
-    def _found(self, place: Place, p: Any, kind: Kind, name: str = "") -> CriticalVelocity:
+    def _found(self, place: Place, p: arb | None, kind: Kind, name: str = "") -> CriticalVelocity:
         v = place.velocity(self.bits)
         with precision(self.bits):
             frequency = None if p is None else rational_ball(self.omega) - v * p

@@ -8,6 +8,7 @@ import numpy as np
 from flint import fmpq_poly
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.arrays import Complexes, Integers, Reals
 from mpsolve.numbers.float64 import companions, polynomial_and_slope
 from mpsolve.tracks.at_rest import rows_of
 from mpsolve.tracks.waveguide import Track, Waveguide
@@ -36,7 +37,7 @@ def dispersion(track: Track | Waveguide, p: Any) -> Any:
     return continued(lambda x: _damped(rows, x), wavenumbers)
 
 
-def checked_wavenumbers(p: Any) -> Any:
+def checked_wavenumbers(p: Any) -> Reals:
     """The wavenumbers as a list of finite floats."""
     try:
         given = np.asarray(p, dtype=float)
@@ -47,25 +48,25 @@ def checked_wavenumbers(p: Any) -> Any:
     return given
 
 
-def coefficients(rows: list[fmpq_poly], p: Any) -> Any:
+def coefficients(rows: list[fmpq_poly], p: Reals) -> Reals:
     """The coefficients of s⁰, s¹, … at every p, in floats."""
     y = p * p
     return np.stack([np.polyval([float(c.p) / float(c.q) for c in reversed(row.coeffs())], y) for row in rows], 1)
 
 
-def _undamped(rows: list[fmpq_poly], p: Any) -> Any:
+def _undamped(rows: list[fmpq_poly], p: Reals) -> Reals:
     """Ω = ±√−z, z = s² the roots of an even D, which are real and not positive for a track that stands."""
     roots = _roots(coefficients(rows, p))
     omega = np.sqrt(np.maximum(-roots.real, 0.0))
     return np.sort(np.concatenate([-omega, omega], 1), 1)
 
 
-def _damped(rows: list[fmpq_poly], p: Any) -> Any:
+def _damped(rows: list[fmpq_poly], p: Reals) -> Complexes:
     omega = -1j * _roots(coefficients(rows, p))
     return np.take_along_axis(omega, np.lexsort((omega.imag, omega.real), axis=1), 1)
 
 
-def _roots(c: Any) -> Any:
+def _roots(c: Reals) -> Any:
     """The roots of every row of coefficients: eigenvalues of companion matrices in a unit that balances the ends."""
     n = c.shape[1] - 1
     first = np.abs(c) > 0
@@ -78,7 +79,7 @@ def _roots(c: Any) -> Any:
     return _polished(scaled, x) * unit[:, None]
 
 
-def _polished(c: Any, x: Any) -> Any:
+def _polished(c: Reals, x: Complexes) -> Complexes:
     """Newton steps, each kept where it lessens the residual."""
     for _ in range(_POLISH):
         f, slope = polynomial_and_slope(c, x)
@@ -89,7 +90,7 @@ def _polished(c: Any, x: Any) -> Any:
     return x
 
 
-def continued(branches: Any, p: Any) -> Any:
+def continued(branches: Any, p: Reals) -> Any:
     """The values of `branches(p)`, those of each row in the order that continues the row before it."""
     table = branches(p)
     out = np.empty_like(table)
@@ -99,7 +100,7 @@ def continued(branches: Any, p: Any) -> Any:
     return out
 
 
-def _order(branches: Any, p: float, here: Any, q: float, there: Any, halvings: int) -> Any:
+def _order(branches: Any, p: float, here: Complexes, q: float, there: Complexes, halvings: int) -> Any:
     """Where each branch at p goes to at q; the step is halved while two of them want the same place."""
     distance = np.abs(here[:, None] - there[None, :])
     nearest = distance.argmin(1)
@@ -115,7 +116,7 @@ def _order(branches: Any, p: float, here: Any, q: float, there: Any, halvings: i
     return _order(branches, middle, values, q, there, halvings - 1)
 
 
-def _greedy(distance: Any) -> Any:
+def _greedy(distance: Reals) -> Integers:
     """The nearest pairs first: for branches that meet, where every choice is continuous."""
     left, out = distance.copy(), np.zeros(len(distance), dtype=int)
     for _ in range(len(distance)):

@@ -37,7 +37,7 @@ def double_roots(along: Line, place: Place, single: bool, bits: int) -> Iterator
 def _single(along: Line, place: Place, bits: int) -> Any:
     """The one double root (y for ω = 0), known to be real, in a ball; None where precision does not show it."""
 
-    def real(work: int) -> Any:
+    def real(work: int) -> arb:
         f = embedded(along.rows, place.x.ball(work))
         try:
             roots = isolated(f.derivative())

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, TypeVar
 
-from flint import fmpq_poly, fmpz_poly
+from flint import arb, fmpq_poly, fmpz_poly
 
 from mpsolve.errors import ContradictionError, PrecisionError
 from mpsolve.numbers.balls import precision, rational_ball
@@ -64,10 +64,10 @@ def places_of(f: fmpq_poly, squared: bool, low: Fraction, high: Fraction, bits: 
                 yield Place(w, w if squared else _square_root(w)), power
 
 
-def _real(m: fmpz_poly, bits: int) -> list[tuple[int, Any]]:
+def _real(m: fmpz_poly, bits: int) -> list[tuple[int, arb]]:
     """The roots with their numbers, all but 0 told apart from 0."""
 
-    def apart(bits: int) -> list[tuple[int, Any]] | None:
+    def apart(bits: int) -> list[tuple[int, arb]] | None:
         found = real_roots(m, bits)
         return list(enumerate(found)) if all(ball > 0 or ball < 0 or not m[0] for ball in found) else None
 

@@ -8,6 +8,8 @@ from enum import Enum
 from fractions import Fraction
 from typing import Any
 
+from flint import arb
+
 from mpsolve.numbers.decimals import proved_digits
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.packed import Portable
@@ -40,8 +42,8 @@ class CriticalVelocity(Portable):
     """
 
     value: Any
-    wavenumber: Any
-    frequency: Any
+    wavenumber: arb | None
+    frequency: arb | None
     kind: Kind
     name: str = ""
     exact: Exact | None = None
@@ -60,7 +62,7 @@ class CriticalVelocities(Result):
     lower: Fraction
     upper: Fraction
     status: Status
-    undecided: tuple[Any, ...] = ()
+    undecided: tuple[arb, ...] = ()
     always: tuple[str, ...] = ()
     reason: Reason | None = None
 

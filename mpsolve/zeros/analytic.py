@@ -23,13 +23,15 @@ from mpsolve.zeros.geometry import Point, Vertices, box_of, place_of_box
 from mpsolve.zeros.regions import Cut
 
 _DEEPEST = 60
+_DEEP, _MOST_DEEP = 40, 500
+"""So many boxes of such a depth lie along a line, as beside a cut that is not declared, and not round a point."""
 
 Box = tuple[Fraction, Fraction, Fraction, Fraction]
 """re_min, re_max, im_min, im_max."""
 
 
 class NotAnalyticError(PrecisionError):
-    """No box round `place` passes, however small; `cause` says what fails there."""
+    """No box round `place` passes, however small, or far too many are needed; `cause` says what fails there."""
 
     def __init__(self, place: complex, cause: PrecisionError) -> None:
         super().__init__(f"f is not proved to be analytic near {place:.6g}: {cause}")
@@ -137,7 +139,7 @@ def cover_region(f: Function, vertices: Vertices, cuts: Sequence[Cut], effort: E
 
 
 def _tree(f: Function, vertices: Vertices, cuts: Sequence[Cut], cell: Box, effort: Effort) -> str:
-    out, stack = [], [(cell, 0)]
+    out, stack, deep = list[str](), [(cell, 0)], 0
     while stack:
         box, depth = stack.pop()
         effort.spend(1)
@@ -148,7 +150,8 @@ def _tree(f: Function, vertices: Vertices, cuts: Sequence[Cut], cell: Box, effor
             require_box(f, box, cuts)
             out.append(".")
         except PrecisionError as error:
-            if depth >= _DEEPEST:
+            deep += depth >= _DEEP
+            if depth >= _DEEPEST or deep > _MOST_DEEP:
                 raise NotAnalyticError(complex((box[0] + box[1]) / 2, (box[2] + box[3]) / 2), error) from None
             out.append("|")
             first, second = halves(box)

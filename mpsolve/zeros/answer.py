@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import arb
 
 from mpsolve.numbers.packed import Portable
 from mpsolve.numbers.result import Cost, Result
 from mpsolve.outcome import Reason, Status
+
+if TYPE_CHECKING:
+    from mpsolve.certificate.format import Certificate
 
 
 @dataclass(frozen=True)
@@ -47,9 +50,16 @@ class Zeros(Result):
     note: str = ""
     assumed: tuple[str, ...] = ()
     known: Mapping[str, Any] = field(default_factory=dict)
-    certificate: Any = field(default=None, repr=False)
+    certificate: Certificate | None = field(default=None, repr=False)
     verified: str = ""
     cost: Cost = field(default_factory=lambda: Cost(0.0))
+
+    @property
+    def where(self) -> str:
+        """The region in words, in terms of z."""
+        if isinstance(self.region, tuple):
+            return f"[{float(self.region[0]):.8g}, {float(self.region[1]):.8g}]"
+        return str(self.region).replace(" q ", " z ")
 
     def records(self) -> Iterator[Mapping[str, Any]]:
         """A row for each zero, as floats."""
@@ -59,4 +69,4 @@ class Zeros(Result):
 
     def _headline(self) -> str:
         found = "zeros" if self.count is None else f"{self.count} zero{'s' * (self.count != 1)}"
-        return f"Zeros: {found} of {self.function} in {self.region}: {self.trust}"
+        return f"Zeros: {found} of {self.function} in {self.where}: {self.trust}"

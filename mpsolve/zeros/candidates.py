@@ -11,10 +11,12 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Complexes
+
 _TOLERANCE = 1e-10
 
 
-def poles_by_aaa(points: Any, values: Any, most: int) -> Any:
+def poles_by_aaa(points: Complexes, values: Any, most: int) -> Complexes:
     """The poles of a rational function of degree below `most` that agrees with the values at the points."""
     fine = np.isfinite(values)
     points, places = np.unique(points[fine], return_index=True)  # the sides of a cut share theirs
@@ -48,7 +50,7 @@ def poles_by_aaa(points: Any, values: Any, most: int) -> Any:
     return _poles(points[chosen], weights) if len(chosen) == len(weights) else np.zeros(0, complex)
 
 
-def _poles(points: Any, weights: Any) -> Any:
+def _poles(points: Complexes, weights: Complexes) -> Any:
     """Where Σ w_j/(z − z_j) = 0: the eigenvalues of an arrowhead pencil, inverted about a point off the path."""
     m = len(points)
     if m < 2:

@@ -16,9 +16,10 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from flint import arb
+from flint import acb, arb
 
 from mpsolve.errors import EffortError, PrecisionError
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.proof.cover import OpenPieceError, cover
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.ladder import climb
@@ -50,9 +51,9 @@ class Count:
     breaks: tuple[tuple[float, ...], ...]
     trees: tuple[str, ...]
     bits: int
-    points: Any = field(repr=False)  # of the path, in floats, with f and f′ there: for candidates
+    points: Complexes = field(repr=False)  # of the path, in floats, with f and f′ there: for candidates
     values: Any = field(repr=False)
-    slopes: Any = field(repr=False)
+    slopes: Complexes = field(repr=False)
 
     def of_part(self, k: int) -> Count:
         """The same, of one part by itself."""
@@ -101,7 +102,7 @@ def count_zeros(
     return climb(attempt, BITS, most)
 
 
-def _zeros(turn: Any) -> int:
+def _zeros(turn: arb) -> int:
     return number_of_zeros(turn / (2 * arb.pi()), "f round the region")
 
 
@@ -133,7 +134,7 @@ class Walk:
             raise ZeroOnPathError(complex(self.at(error.place.real).mid())) from None
         return [float(t) for t in ts.real]
 
-    def _pass(self, starts: Any, ends: Any) -> list[bool]:
+    def _pass(self, starts: Complexes, ends: Any) -> list[bool]:
         return [self._one(float(s.real), float(t.real)) for s, t in zip(starts, ends, strict=True)]
 
     def _one(self, s: float, t: float) -> bool:
@@ -152,7 +153,7 @@ class Walk:
                 return False
         return False
 
-    def _side(self, s: float, t: float, piece: Any, mode: int) -> Side | None:
+    def _side(self, s: float, t: float, piece: acb, mode: int) -> Side | None:
         """Straight on; or from the left of the path; or away from the start of the piece, or from its end."""
         return (None, (piece, self.left), (self.at(s), self.step), (self.at(t), -self.step))[mode]
 
@@ -173,7 +174,7 @@ class Walk:
             self.ends[key] = self._value(z, direction)
         return self.ends[key]
 
-    def _value(self, z: Any, direction: Any) -> list[Any]:
+    def _value(self, z: acb, direction: Any) -> list[acb]:
         try:
             parts = self.f.part_series(z, 1)
         except CutError:
@@ -182,7 +183,7 @@ class Walk:
             parts = self.f.part_series(z, 1, (z, direction))
         return [part[0] for part in parts]
 
-    def turns(self, ts: Sequence[float]) -> list[Any]:
+    def turns(self, ts: Sequence[float]) -> list[arb]:
         """The changes of the arguments of the parts along the leg."""
         totals = [arb(0)] * len(self.f.parts)
         for s, t in pairwise(ts):
@@ -191,7 +192,7 @@ class Walk:
             totals = [total + (y / x).log().imag for total, (y, x) in zip(totals, ends, strict=True)]
         return totals
 
-    def seen(self, ts: Sequence[float]) -> tuple[Any, Any, Any]:
+    def seen(self, ts: Sequence[float]) -> tuple[Complexes, Complexes, Complexes]:
         """Points, and values and slopes of the parts, as floats where all are known."""
         points, rows = [], []
         for t in ts[:-1]:
@@ -207,7 +208,7 @@ class Walk:
         return np.array(points, complex), array[:, :, 0], array[:, :, 1]
 
 
-def _little(step: Any, part: list[Any], start: Any) -> bool:
+def _little(step: Any, part: list[acb], start: Any) -> bool:
     value, slope = part
     if not start.abs_lower() > 0:
         return False

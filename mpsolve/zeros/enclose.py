@@ -44,13 +44,13 @@ class Zeros:
         root = climb(lambda _: self._enclosed(acb(seed)), bits, max(bits, _MOST))
         return root_ball(self.f, root, digits, multiplicity=self.power, least=self.least)
 
-    def _enclosed(self, seed: Any) -> Enclosed:
+    def _enclosed(self, seed: acb) -> Enclosed:
         start = self._polished(seed)
         size = start.abs_upper()
         size = size if size > self.size / 1024 else arb(self.size / 1024)
         return enclosed(self.f, start, size, (_AXIS,) if self.f.real else ())
 
-    def _polished(self, seed: Any) -> Any:
+    def _polished(self, seed: acb) -> acb:
         """Where Newton's method stands still; a zero at 0 is met by its absolute size."""
         start = polished(self.f, seed)
         if start.abs_upper() < self.least * _SMALL:
@@ -61,13 +61,13 @@ class Zeros:
             return short
         return start
 
-    def _vanishes(self, z: Any) -> bool:
+    def _vanishes(self, z: acb) -> bool:
         try:
             return bool(self.f.value(z).contains(0))
         except PrecisionError:
             return False
 
-    def nearer(self, seed: Any) -> Any:
+    def nearer(self, seed: complex) -> acb:
         """Newton's steps towards zeros that meet halve the distance, or nearly so."""
         z = acb(seed)
         with precision(4 * BITS):
@@ -78,7 +78,7 @@ class Zeros:
                     break
         return z
 
-    def series(self, centre: Any, shrink: int) -> Taylor:
+    def series(self, centre: acb, shrink: int) -> Taylor:
         outer = centre.abs_upper() * _OUTER
         least = arb(self.size) * _OUTER
         last: PrecisionError | None = None

@@ -28,7 +28,7 @@ class PoleError(PrecisionError):
     """A denominator may vanish."""
 
 
-def off_cut(w: Any) -> bool:
+def off_cut(w: acb) -> bool:
     """Whether a ball misses (−∞, 0]."""
     return bool(w.real > 0 or w.imag > 0 or w.imag < 0)
 
@@ -41,7 +41,7 @@ class Evaluator:
         self.depends = dependent(self.steps)
         self._ready: dict[int, list[Any]] = {}
 
-    def _constants(self) -> list[Any]:
+    def constants(self) -> list[acb | None]:
         """A fresh list with the constants in their places."""
         bits = bits_now()
         if bits not in self._ready:
@@ -51,9 +51,9 @@ class Evaluator:
             self._ready[bits] = values
         return list(self._ready[bits])
 
-    def run(self, z: Any, n: int) -> list[Any]:
+    def run(self, z: acb, n: int) -> list[Any]:
         """The values of all steps over the ball z: balls for n = 1, else power series of n terms in its offset."""
-        values = self._constants()
+        values = self.constants()
         with terms(n):
             for k, step in enumerate(self.steps):
                 if self.depends[k]:
@@ -66,8 +66,8 @@ class Evaluator:
         beyond: a branch point at an end of the line, and the direction in which the line goes on from it away from
         the cut: then nothing is continued, and all is proved to be analytic on the closed box without that point.
         """
-        values, on_line = self._constants(), self._constants()
-        at_tip = self._constants()
+        values, on_line = self.constants(), self.constants()
+        at_tip = self.constants()
         for k, step in enumerate(self.steps):
             if not self.depends[k]:
                 continue
@@ -84,14 +84,14 @@ class Evaluator:
         return values
 
 
-def coefficients(value: Any, n: int) -> list[Any]:
+def coefficients(value: Any, n: int) -> list[acb]:
     """The first n Taylor coefficients of what `run` gives."""
     if not isinstance(value, acb_series):
         return [acb(value), *[acb(0)] * (n - 1)]
     return [value[k] for k in range(n)]
 
 
-def constant_of(value: Any) -> Any:
+def constant_of(value: Any) -> acb:
     """The value itself, without the slopes."""
     return value[0] if isinstance(value, acb_series) else value
 
@@ -190,13 +190,13 @@ def _beside(name: str, w: Any, w_line: Any, normal: Any, beyond: bool) -> tuple[
     return acb_series([_root_hull(w0), acb("nan")], prec=w.prec), acb(side, side)
 
 
-def _root_hull(w: Any) -> Any:
+def _root_hull(w: acb) -> acb:
     """A ball of all square roots of the numbers in w."""
     side = arb(0, w.abs_upper().sqrt().upper())
     return acb(side, side)
 
 
-def _continued(name: str, w: Any, up: Any) -> Any:
+def _continued(name: str, w: Any, up: acb) -> Any:
     return up * (-w).sqrt() if name == "sqrt" else (-w).log() + up * arb.pi()
 
 

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import product
-from typing import Any
 
 import numpy as np
 from flint import acb
 
 from mpsolve.errors import EffortError, InputError, PrecisionError
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.balls import exact_ball, precision
 from mpsolve.numbers.packed import exact_ends
 from mpsolve.numbers.rootball import RootBall
@@ -209,7 +209,7 @@ def _by_aaa(found: Found, count: Count) -> None:
             found.add(z)
 
 
-def _denser(f: Function, points: Any, slopes: Any) -> tuple[Any, Any]:
+def _denser(f: Function, points: Complexes, slopes: Complexes) -> tuple[Complexes, Complexes]:
     """With three more samples between neighbours."""
     more, rates = [], []
     for p, q in zip(points, np.roll(points, -1), strict=True):

@@ -11,13 +11,14 @@ from typing import Any, Protocol
 from flint import acb, acb_series
 
 from mpsolve.errors import InputError, PrecisionError
-from mpsolve.numbers.balls import arb, bits_now, square, terms
+from mpsolve.numbers.balls import arb, bits_now, precision, square, terms
 from mpsolve.numbers.taylor import SAMPLES, Taylor, taylor
 from mpsolve.zeros.evaluate import Evaluator, coefficients
 from mpsolve.zeros.fraction import factors, guards
-from mpsolve.zeros.program import Expression, reduced
+from mpsolve.zeros.program import CUT, Expression, reduced
 
 _NEAR = 6
+_REAL_BITS = 128
 Side = tuple[Any, Any]
 """A line (a ball of its points) and the direction away from it."""
 
@@ -54,7 +55,7 @@ class Function(Protocol):
         """The series about an exact centre, for discs within the radius `outer`."""
 
 
-def _finite(values: list[Any]) -> list[Any]:
+def _finite(values: list[Any]) -> list[acb]:
     if not values[0].is_finite():
         raise PrecisionError("f is not finite, or not analytic, on a ball")
     return values
@@ -66,10 +67,10 @@ class _Slopes:
     def series(self, z: Any, n: int, side: Side | None = None) -> list[Any]:
         raise NotImplementedError
 
-    def slope(self, z: Any) -> Any:
+    def slope(self, z: acb) -> Any:
         return self.series(acb(z), 2)[1]
 
-    def both(self, z: Any) -> tuple[Any, Any]:
+    def both(self, z: acb) -> tuple[acb, acb]:
         a, b = self.series(acb(z), 2)
         return a, b
 
@@ -97,9 +98,17 @@ class ExpressionFunction(_Slopes):
     def entire(self) -> bool:
         return self._guarded is None
 
-    @property
+    @cached_property
     def real(self) -> bool:
-        return not any(step[0] == "i" for step in self._evaluator.steps)
+        """Without a step `i` all is real for real z, but for roots and logarithms of constants that are negative."""
+        own = self._evaluator
+        with precision(_REAL_BITS):
+            known = own.constants()
+        named = (
+            known[s[1]] for s, depends in zip(own.steps, own.depends, strict=True) if s[0] in CUT and not depends
+        )
+        cut = [w for w in named if w is not None]
+        return all(step[0] != "i" for step in own.steps) and all(w.real > 0 or w == 0 for w in cut)
 
     @cached_property
     def _factors(self) -> dict[int, int]:
@@ -110,14 +119,14 @@ class ExpressionFunction(_Slopes):
         whole = Expression(self._evaluator.steps, len(self._evaluator.steps) - 1)
         return tuple((ExpressionFunction(whole, k), power) for k, power in self._factors.items())
 
-    def part_series(self, z: Any, n: int, side: Side | None = None) -> list[list[Any]]:
+    def part_series(self, z: acb, n: int, side: Side | None = None) -> list[list[acb]]:
         values = self._run(z, n, side)
         return [_finite(coefficients(values[k], n)) for k in self._factors]
 
-    def series(self, z: Any, n: int, side: Side | None = None) -> list[Any]:
+    def series(self, z: acb, n: int, side: Side | None = None) -> list[acb]:
         return _finite(coefficients(self._run(z, n, side)[-1], n))
 
-    def _run(self, z: Any, n: int, side: Side | None) -> list[Any]:
+    def _run(self, z: acb, n: int, side: Side | None) -> list[Any]:
         return self._evaluator.run(z, n) if side is None else self._evaluator.sided(z, max(n, 2), *side)
 
     def require_analytic(self, z: Any, side: Side | None = None, beyond: Side | None = None) -> None:
@@ -131,7 +140,7 @@ class ExpressionFunction(_Slopes):
     def value(self, z: Any) -> Any:
         return self.series(acb(z), 1)[0]
 
-    def taylor(self, centre: Any, outer: Any, bits: int) -> Taylor:  # noqa: ARG002 — exact at any precision
+    def taylor(self, centre: acb, outer: arb, bits: int) -> Taylor:  # noqa: ARG002 — exact at any precision
         bound = arb(self.value(centre + square(outer)).abs_upper())
         return Taylor(centre, tuple(self.series(centre, SAMPLES)), bound, outer)
 
@@ -164,7 +173,7 @@ class CallableFunction(_Slopes):
         except Exception:  # noqa: BLE001 — whatever a user's function raises on what it was not made for
             return False
 
-    def _ball(self, function: Callable[[Any], Any], z: Any) -> Any:
+    def _ball(self, function: Callable[[Any], Any], z: acb) -> acb:
         try:
             given = function(acb(z))
             if isinstance(given, str):
@@ -181,7 +190,7 @@ class CallableFunction(_Slopes):
     def value(self, z: Any) -> Any:
         return self._ball(self.function, z)
 
-    def series(self, z: Any, n: int, side: Side | None = None) -> list[Any]:
+    def series(self, z: acb, n: int, side: Side | None = None) -> list[acb]:
         if side is not None:
             raise PrecisionError("a Python function cannot be continued to a branch cut")
         value = self.value(z)  # this is what the user vouches for: not finite where not analytic
@@ -195,7 +204,7 @@ class CallableFunction(_Slopes):
             return [value, self._ball(self.derivative, z)]
         return self._from_values(acb(z), n)
 
-    def _from_values(self, z: Any, n: int) -> list[Any]:
+    def _from_values(self, z: acb, n: int) -> list[acb]:
         """By Cauchy's bound on a larger disc about the middle of the ball."""
         middle, radius = z.mid(), abs(z - z.mid()).upper()
         outer = arb(max(abs(middle), arb(1)) * arb(2) ** -_NEAR)
@@ -221,7 +230,7 @@ class CallableFunction(_Slopes):
             raise PrecisionError("a Python function cannot be continued to a branch cut")
         self.value(z)
 
-    def taylor(self, centre: Any, outer: Any, bits: int) -> Taylor:
+    def taylor(self, centre: acb, outer: arb, bits: int) -> Taylor:
         bound = arb(self.value(centre + square(outer)).abs_upper())
         if self._takes_series:
             return Taylor(centre, tuple(self.series(centre, SAMPLES)), bound, outer)

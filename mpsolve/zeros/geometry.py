@@ -109,8 +109,9 @@ def place_of_box(vertices: Vertices, low: Point, high: Point) -> bool | None:
     if len(vertices) == 4 and set(vertices) == {(left, bottom), (right, bottom), (right, top), (left, top)}:
         return True if left < a and b < right and bottom < c and d < top else None
     for p, q in edges(vertices):
-        apart = max(p[0], q[0]) < a or min(p[0], q[0]) > b or max(p[1], q[1]) < c or min(p[1], q[1]) > d
+        if max(p[0], q[0]) < a or min(p[0], q[0]) > b or max(p[1], q[1]) < c or min(p[1], q[1]) > d:
+            continue
         sides = [cross(p, q, corner) for corner in ((a, c), (b, c), (b, d), (a, d))]
-        if not (apart or all(x > 0 for x in sides) or all(x < 0 for x in sides)):
+        if not (all(x > 0 for x in sides) or all(x < 0 for x in sides)):
             return None
     return is_inside(vertices, ((a + b) / 2, (c + d) / 2))

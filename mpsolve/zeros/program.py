@@ -118,7 +118,7 @@ class Program:
         raise InputError("f", f"has {name}, which is not known: the functions are {', '.join(NAMES)}")
 
 
-def _order(order: Any) -> int:
+def _order(order: int) -> int:
     if isinstance(order, int) and not isinstance(order, bool) and abs(order) <= 1000:
         return order
     raise InputError("f", f"has a Bessel function of the order {order!r}: give a whole number up to 1000")
@@ -233,7 +233,7 @@ def shown(steps: Sequence[Step], output: int, most: int = 400) -> str:
         elif name == "pow":
             text = f"{texts[step[1]]}**{step[2]}"
         else:
-            text = f"{name}({', '.join([texts[step[1]], *map(str, step[2:])])})"
+            text = f"{name}({', '.join([*map(str, step[2:]), texts[step[1]]])})"
         texts.append(text if len(text) <= most else f"[step {len(texts)}]")
     text = texts[output]
     return text[1:-1] if text.startswith("(") and _closes_last(text) else text

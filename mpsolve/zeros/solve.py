@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
 from flint import acb, arb
 
@@ -156,5 +155,5 @@ def reason_of(error: EffortError | PrecisionError) -> Reason:
     return Reason("count", str(error), {}, "give a region with simpler sides, or f with fewer cancellations")
 
 
-def _at(place: complex) -> dict[str, Any]:
+def _at(place: complex) -> dict[str, str]:
     return {"re": f"{place.real:.10g}", "im": f"{place.imag:.10g}"}

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import flint
 import mpmath
 import pytest
 
-from mpsolve import InputError, Status, real_roots
+from mpsolve import InputError, Rectangle, Status, real_roots, roots
 
 
 def test_real_zeros_with_multiplicity() -> None:
@@ -34,3 +35,20 @@ def test_bad_input_is_refused_in_a_sentence() -> None:
         real_roots("z", 1, 0)
     with pytest.raises(InputError, match="real axis"):
         real_roots("z + i", 0, 1)
+
+
+NEARLY_REAL = "z - 1 + sqrt(-1)/3 - 0.333333333333333333333333333333*sqrt(-1)"
+"""Its only zero is 1 − 3.3·10⁻³¹ i, by hand."""
+
+
+@pytest.mark.parametrize("f", [NEARLY_REAL, "z + log(-2)", "z - 1 + sqrt(log(1/2))/10**40"])
+def test_constants_that_are_complex_without_an_i_are_not_taken_for_real(f: str) -> None:
+    with pytest.raises(InputError, match="real axis"):
+        real_roots(f, -3, 3)
+
+
+def test_a_zero_next_to_the_real_axis_is_not_said_to_lie_on_it() -> None:
+    for digits in (15, 40):
+        (zero,) = roots(NEARLY_REAL, Rectangle(-3, 3, -4, 4), digits=digits).roots
+        assert not zero.real
+        assert zero.q.imag.contains(flint.fmpq(-1, 3 * 10**30))

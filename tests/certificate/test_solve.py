@@ -16,7 +16,7 @@ from mpsolve.outcome import Status
 from mpsolve.problem.problem import Problem
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle
 from mpsolve.tracks import EulerBernoulli, String, Timoshenko, TwoLayer
-from mpsolve.vehicles import Bogie, Coach, Mass, Vehicle
+from mpsolve.vehicles import Bogie, Coach, Mass, Oscillator, Vehicle
 
 WIRE = Problem(String(T=27_000, m="1.07", k=500, c=2), [Mass("8.5")], v=100)
 
@@ -100,3 +100,20 @@ def test_a_root_next_to_the_line_is_not_taken_for_one_that_was_counted() -> None
     problem = Problem(track, [spring, coach.at("2.59"), damper.at("2.73")], v="5.41")
     found = certify_problem(problem, region="unstable", digits=15, check=False)
     assert (found.status, found.unstable) == (Status.UNVERIFIED, 13)
+
+
+def test_a_root_on_the_real_axis_is_named_and_left_out_by_the_rectangle_that_is_advised() -> None:
+    """Faster than its waves the wire does not feel one vehicle: k_contact and k alone tell its two frequencies.
+
+    Wheel 2 and body 3 on springs of 5 and 4: 6 q⁴ − 35 q² + 20 = 0, by hand.
+    """
+    problem = Problem(
+        String(T=1, m=1, k="0.543", c="0.0134"), Oscillator(wheel=2, body=3, k=4, k_contact=5), v="1.42"
+    )
+    found = certify_problem(problem, digits=15)
+    assert found.reason is not None
+    assert (found.reason.code, found.count) == ("sign", 4)
+    q = abs(float(found.reason.numbers["re"]))
+    assert abs(6 * q**4 - 35 * q**2 + 20) < 1e-6
+    below = certify_problem(problem, region=Rectangle(-5, 5, -1, "-0.001"), digits=15)
+    assert (below.status, below.count) == (Status.PROVED, 0)

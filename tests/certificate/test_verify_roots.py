@@ -16,6 +16,7 @@ import pytest
 from mpsolve import Cut, Disc, HalfPlane, Rectangle, real_roots, roots
 from mpsolve.certificate import verify_roots
 from mpsolve.certificate.check import verify_bytes
+from mpsolve.zeros.function import ExpressionFunction
 
 Content = dict[str, Any]
 
@@ -179,6 +180,15 @@ def test_no_changed_cut_or_cover_passes(slit: Content, change: Callable[[Content
 )
 def test_no_changed_interval_passes(line: Content, change: Callable[[Content], Any]) -> None:
     assert not verdict(changed(line, change)).valid
+
+
+def test_a_function_with_complex_constants_is_not_taken_for_real(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The signs of its real part tell nothing: its only zero is 1 − 3.3·10⁻³¹ i."""
+    monkeypatch.setattr(ExpressionFunction, "real", True)
+    f = "z - 1 + sqrt(-1)/3 - 0.333333333333333333333333333333*sqrt(-1)"
+    forged = real_roots(f, -3, 3, check=False)
+    assert forged.count == 1
+    assert "not known to be real" in verdict(content_of(forged)).reason
 
 
 @pytest.mark.parametrize(

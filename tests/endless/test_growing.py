@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from endless_rows import brute_sum, masses
 
+from mpsolve import Problem, tracks, vehicles
 from mpsolve.endless.bloch import Bloch
 from mpsolve.endless.growing import find_growing, prove_growing
+from mpsolve.endless.infinite_train import reach_of
+from mpsolve.endless.row import row_of
 from mpsolve.numbers.balls import acb, arb
 
 
@@ -46,3 +50,16 @@ def test_the_ball_holds_the_root_of_another_start() -> None:
     assert again is not None
     assert again.q.overlaps(found.q)
     assert not again.q.overlaps(found.q + acb(arb(0), arb(1e-4)))
+
+
+@pytest.mark.parametrize("spacing", ["0.8", "1.1"])
+def test_newton_may_end_at_a_matrix_that_is_singular_in_floats(spacing: str) -> None:
+    row = row_of(
+        Problem(tracks.Rayleigh(EI=1, m=1, J="0.107", k=1, c="1.3"), vehicles.Mass("3.06"), v="1.53"), spacing
+    )
+    found = find_growing(row, reach_of(row))
+    assert found is not None
+    q = complex(found.q)
+    sigma = 1j * q * 2.0**row.reduced.guide.time
+    G = complex(row.reduced.guide.g) * brute_sum(row, row.step * 0, np.exp(1j * found.theta), sigma, 60)
+    assert abs(1 - 3.06 * q**2 * G) < 1e-9

@@ -70,6 +70,7 @@ def test_a_neutral_mode_stays_divided_out() -> None:
         ({"v": (Fraction(-1), Fraction(2))}, "below 0"),
         ({"gap[0]": (Fraction(1), Fraction(9))}, "overtake"),
         ({"track.k_pad": (Fraction(-1), Fraction(9))}, "k_pad"),
+        ({"vehicles[0].k_contact": (Fraction(0), Fraction(10**9))}, "begins at 0"),
     ],
 )
 def test_what_cannot_be_is_refused(over: dict[str, tuple[Fraction, Fraction]], said: str) -> None:

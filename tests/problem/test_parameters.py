@@ -58,6 +58,8 @@ def test_all_vehicles_at_once() -> None:
     ("path", "value", "said"),
     [
         ("track.kk", 1, "did you mean track.k"),
+        ("track.K", 1, "did you mean track.k"),
+        ("V", 1, "did you mean v"),
         ("speed", 1, "the parameters are v, "),
         ("gap[2]", 1, "did you mean gap"),
         ("gap[0]", -1, "must be above 0"),

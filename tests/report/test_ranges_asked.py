@@ -33,6 +33,9 @@ def test_an_answer_may_speak_of_less() -> None:
     question = asked(PROBLEM, "", ["v=0..90 km/h"]).answered({"v": (Fraction(1), Fraction(20))})
     assert question.ranges == "v from 3.6 km/h to 72 km/h"
     assert question.overs[0].unit == "km/h"
+    assert question.slower
+    assert not asked(PROBLEM, "", ["v=3..90 km/h"]).answered({"v": (Fraction(1), Fraction(20))}).slower
+    assert not asked(PROBLEM, "", ["gap[0]=0..4"]).answered({"gap[0]": (Fraction(1), Fraction(4))}).slower
 
 
 def test_a_range_without_end_is_for_some_questions_only() -> None:

@@ -36,6 +36,14 @@ def test_all_of_a_range_is_told_so() -> None:
     assert said.verdict == "STABLE for every v from 0 m/s to 150 m/s."
 
 
+def test_what_is_slower_than_the_answer_is_told() -> None:
+    beam = Problem(tracks.EulerBernoulli(EI=6.4e6, m=60, k=1e6, c=770, eta=1e-5), vehicles.Mass(900), v=10)
+    for low, told in (("0", True), ("1", False)):
+        question = asked(beam, "", [f"v={low}..20"])
+        text = said_of_onset(onset(beam, over=question.over, check=False), question).text
+        assert ("Nothing is claimed of slower velocities" in text) == told
+
+
 def test_an_onset_in_what_is_left_out() -> None:
     """Stable below the speed and unstable above it: the value is all that lies between, and it has no frequency."""
     whole = crossings(WIRE, over=OVER)

@@ -53,6 +53,14 @@ def test_a_hidden_pole_or_cut_is_named(text: str, place: complex) -> None:
     assert place is not None
 
 
+@pytest.mark.parametrize("sliver", [F(-1, 10**15), F(-1, 10**16), F(1, 10**16)])
+def test_a_cut_a_hair_beside_the_edges_of_boxes_ends_too(sliver: Fraction) -> None:
+    """Boxes beside it pass, but only ones as thin as the gap: a thousand million of them."""
+    vertices = ((F(-1), F(-1)), (F(1), F(-1)), (F(1), 1 + sliver), (F(-1), 1 + sliver))
+    with pytest.raises(NotAnalyticError, match="may meet its branch cut"):
+        cover("sqrt(z)", vertices)
+
+
 def test_boxes_outside_the_polygon_are_left_out() -> None:
     ell = Polygon([0, 4, 4 + 1j, 1 + 1j, 1 + 4j, 4j]).polygon
     (tree,) = cover("sin(1/(z - 3 - 3*i))", ell)  # the pole is in the notch

@@ -6,6 +6,7 @@ from fractions import Fraction
 
 import pytest
 from flint import acb
+from functions import function
 
 from mpsolve.errors import InputError
 from mpsolve.zeros.evaluate import Evaluator
@@ -62,3 +63,10 @@ def test_only_what_an_output_needs_is_kept() -> None:
     steps, (place,) = reduced(p.steps, [k])
     assert [step[0] for step in steps] == ["z", "number", "add"]
     assert shown(steps, place) == "z + 1"
+
+
+@pytest.mark.parametrize("text", ["bessel_j(2, z)", "sin(z) - (z * (1/2))"])
+def test_what_is_shown_can_be_read_again(text: str) -> None:
+    once = str(function(text).expression)
+    assert once == text
+    assert str(function(once).expression) == once
