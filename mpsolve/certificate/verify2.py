@@ -1282,15 +1282,13 @@ def in_floats(c: Sequence[complex], z: complex, small: float) -> complex | None:
     return None
 
 
+REAL = "a p-root may be real there"
+
+
 def sided(split: Split) -> bool:
     """Each root of U lies within (their number)·τ_k of some node, so all have Re P < 0, and those of L Re P > 0."""
     pairs_ = zip(split.nodes.side, (-1, 1), strict=True)
     return all(sign * split.nodes.z[k].real > len(side) * split.tight[k] for side, sign in pairs_ for k in side)
-
-
-def check_sides(split: Split) -> None:
-    """U has the roots with Re P < 0, L those with Re P > 0, over the whole place."""
-    require(sided(split), "a p-root may be real there")
 
 
 # --- kernels: G(ξ) over a place ---------------------------------------------------------------------------
@@ -1434,16 +1432,17 @@ class Origin:
 
 
 def alone(sizes: Sequence[Any], slope: Any) -> Any:
-    """A radius e: exactly one |u| < e solves Σ E_i u^i = 0 where |E_i| ≤ sizes_i, but E_1 is, to within its size,
-    a number of modulus ≥ slope; by Rouché."""
-    require(slope > 0, "p-roots meet next to q = 0")
-    e = (sizes[0] / slope * 1.5 + arb(2) ** (-4 * flint.ctx.prec)).upper()
+    """e < e': exactly one |u| < e' solves Σ E_i u^i = 0, and it has |u| ≤ e, where |E_i| ≤ sizes_i, but E_1 is, to
+    within its size, a number of modulus ≥ slope; by Rouché."""
+    require(slope > 0, "p-roots meet")
+    row = [x / slope for x in sizes]
+    e = (row[0] * 1.5 + arb(2) ** (-4 * flint.ctx.prec)).upper()
     for _ in range(12):
-        image = sum((x * e**i for i, x in enumerate(sizes)), arb(0)) / slope
+        image = horner(row, e)
         if image < e:
-            return e
+            return image.upper()
         e = (image * 1.6).upper()
-    raise Refused("p-roots are not told apart next to q = 0: the piece is too long")
+    raise Refused("p-roots are not told apart: the piece is too long")
 
 
 def min_bound(x: Any, y: Any) -> Any:
@@ -1675,7 +1674,7 @@ class Walker:
     def begin(self, depth: Any) -> None:
         """The pair at q = −i·depth is (roots with Re P < 0, the others): each root in a disc on its side."""
         split, at = nodes_near(self.waves.near(Place.disc(acb(arb(depth)), ZERO))).split(), (fmpq(0), -depth)
-        check_sides(split)
+        require(sided(split), REAL)
         self.marks[at] = Mark(at, split, split)
 
     def thin(self, mark: Mark) -> Split:
@@ -2766,7 +2765,7 @@ def check_root(track: Track, vehicle: Bodies, root: Root, walker: Walker) -> Non
         waves = Waves(track, vehicle.places)
         place = Place.disc(at_q(root.z), arb(root.radius).upper())
         disc = nodes_near(waves.near(place)).split()
-        check_sides(disc)
+        require(sided(disc), REAL)
         check_zeros(Bordered(vehicle, waves)(place, kernels(waves, disc)[0]), m)
 
 

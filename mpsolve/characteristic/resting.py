@@ -58,7 +58,8 @@ class Resting(Arrays):
         p, q, K = self._waves(s, pi, int(_TERMS + _MORE * min(widest, _WIDEST)))
         waves = [p] if self.single else [p, q]
         ahead, behind = ([_summed(f, sign * x, n, rho) for n, f in enumerate(waves)] for sign in (1, -1))
-        zero, first, second = ((one * nearest(c))[:, None] for one, c in ((s, 0), (s * pi, 2 * EI), (s, -2 * EI)))
+        parts = ((s, 0 * EI), (s * pi, 2 * EI), (s, -2 * EI))
+        zero, first, second = ((one * nearest(c))[:, None] for one, c in parts)
         corner = [first] if self.single else [first, zero, zero, second]
         g = joined([_summed(K, gaps, 3, rho), *ahead, *(-f for f in behind), *corner])
         matrix: Jet = border.matrix(_composed(table, tau), g, joined)

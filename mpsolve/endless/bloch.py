@@ -10,7 +10,9 @@ A Bloch motion has a' = z a and b = z b'. No entry grows, so neither long vehicl
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
@@ -21,6 +23,7 @@ from mpsolve.characteristic.floats import Receptance, det_and_slope
 from mpsolve.characteristic.receptance import Coefficients, Terms
 from mpsolve.endless.lattice import Lattice
 from mpsolve.endless.row import Row
+from mpsolve.numbers.arithmetic import Arithmetic
 from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.float64 import Float64
 
@@ -64,24 +67,10 @@ class Bloch:
 
     def scatterer(self, sigma: Any) -> Any:
         """S with [a'; b'] = S [a; b], shape (len(σ), n, n), n p-roots, the upper ones first."""
-        terms, up = self.terms(sigma), self.upper
-        P = np.stack([t.z for t in terms], -1)
-        w = np.stack([t.w for t in terms], -1)
-        d = float(self.row.step)
-        places = np.array([float(self.row.reduced.places[k]) for k in self.row.reduced.index])
-        x = places - places[0] + (d - (places[-1] - places[0])) / 2
-        ahead = np.arange(P.shape[1]) < up
-        # the field of each wave at each contact, and what a force at each contact gives to each wave at its exit
-        field = np.exp(P[:, None, :] * np.where(ahead, x[:, None], x[:, None] - d))
-        given = w[:, :, None] * np.exp(P[:, :, None] * np.where(ahead[:, None], d - x, -x))
-        given = given * np.where(ahead, -1.0, 1.0)[:, None]
+        waves = [(term.z, term.w) for term in self.terms(sigma)]
         G = self.receptance(sigma, self.border.distances, slope=False)[0]
         A = self.border.at(_K, sigma, G)
-        bodies = A.shape[-1] - len(x)
-        load = np.concatenate([np.zeros((len(sigma), bodies, P.shape[1])), field], 1)
-        forces = np.linalg.solve(A, load)[:, bodies:, :]
-        own = np.exp(np.where(ahead, P, -P) * d)
-        return own[:, :, None] * np.eye(P.shape[1]) + given @ forces
+        return _K.matrix(scattered(_K, self.row, A, waves, self.upper, np.exp))
 
     def multipliers(self, sigma: Any) -> Complexes:
         """The roots z of Δ̂(·, σ), ascending in modulus, shape (len(σ), n).
@@ -106,3 +95,27 @@ class Bloch:
         """The two middle roots by modulus, z_{n₊} and z_{n₊+1}: what runs ahead, and what runs back."""
         z = self.multipliers(sigma)
         return z[:, self.upper - 1], z[:, self.upper]
+
+
+def scattered(
+    K: Arithmetic, row: Row, A: Any, waves: Sequence[tuple[Any, Any]], upper: int, exp: Callable[[Any], Any]
+) -> list[list[Any]]:
+    """S with [a'; b'] = S [a; b], rows of scalars.
+
+    waves: (P, N/D_P) of the p-roots, the upper ones first. A: the matrix of the vehicle alone, with all contacts.
+    """
+    places, d, bodies = [row.reduced.places[k] for k in row.reduced.index], row.step, row.reduced.bodies
+    x = [place - places[0] + (d - (places[-1] - places[0])) / 2 for place in places]
+    n, zero = len(waves), [waves[0][0] * 0]
+
+    def wave(k: int, xi: Fraction) -> Any:
+        return exp(waves[k][0] * K.number(xi))
+
+    # the field of each wave at each contact, and what a force at each contact gives to each wave at its exit
+    field = [[wave(k, at if k < upper else at - d) for k in range(n)] for at in x]
+    ahead = [[-waves[k][1] * wave(k, d - at) for at in x] for k in range(upper)]
+    back = [[waves[k][1] * wave(k, -at) for at in x] for k in range(upper, n)]
+    forces = K.solve(A, K.matrix([zero * n] * bodies + field))
+    S = K.product(K.matrix([zero * bodies + given for given in ahead + back]), forces)
+    own = [wave(k, d if k < upper else -d) for k in range(n)]
+    return [[K.entry(S, i, j) + own[i] if i == j else K.entry(S, i, j) for j in range(n)] for i in range(n)]

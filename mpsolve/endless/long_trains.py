@@ -29,9 +29,10 @@ import numpy as np
 from mpsolve.characteristic.proved import Proved
 from mpsolve.characteristic.splitting import upper_count
 from mpsolve.characteristic.symbol import Symbols
+from mpsolve.endless.bloch import scattered
 from mpsolve.endless.row import Row
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.balls import Balls, acb, acb_mat, precision, rational_ball, square
+from mpsolve.numbers.balls import Balls, acb, acb_mat, precision, square
 
 _K = Balls()
 _BITS = 320
@@ -54,22 +55,8 @@ def cell(row: Row, sigma: Any) -> acb_mat:
     if split.roots is None:
         raise PrecisionError("two p-roots of one side may meet")
     A, _ = proved.matrices(sigma, slope=False, mean=False)
-    p_roots, up, bodies, d = split.roots, proved.upper, row.reduced.bodies, row.step
-    n = len(p_roots)
-    places = [row.reduced.places[k] for k in row.reduced.index]
-    x = [place - places[0] + (d - (places[-1] - places[0])) / 2 for place in places]
-
-    def wave(k: int, xi: Fraction) -> Any:
-        return (p_roots[k] * rational_ball(xi)).exp()
-
-    field = [[acb(0)] * n for _ in range(bodies)]
-    field += [[wave(k, at if k < up else at - d) for k in range(n)] for at in x]
-    ahead = [[-split.weights[k] * wave(k, d - at) for at in x] for k in range(up)]
-    back = [[split.weights[k] * wave(k, -at) for at in x] for k in range(up, n)]
-    forces = _K.solve(A, acb_mat(field)).tolist()[bodies:]
-    S = (acb_mat(ahead + back) * acb_mat(forces)).tolist()
-    for k in range(n):
-        S[k][k] += wave(k, d if k < up else -d)
+    waves, up = list(zip(split.roots, split.weights, strict=True)), proved.upper
+    S, n = scattered(_K, row, A, waves, up, lambda x: x.exp()), len(waves)
     sides = slice(0, up), slice(up, n)
     (t, r), (b, u) = ([acb_mat([line[own] for line in S[rows]]) for own in sides] for rows in sides)
     over = _K.solve(u, acb_mat([[acb(int(i == j)) for j in range(n - up)] for i in range(n - up)]))

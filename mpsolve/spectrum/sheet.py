@@ -3,7 +3,8 @@
 z = q − iη, scaled. The lower half is counted along the lower edge of the cut: from a point in the gap (or 0, where
 the cuts are joined) below the branch points to ρ, and down and back to −iρ: a theorem leaves no root outside. In the
 upper half vehicle and track are passive where |z| is large, so that pivots tell the argument at one point, and Δ̂ is
-followed to there. A loop round each branch point shows that no root is next to it.
+followed to there. A loop round each branch point shows that no root is next to it; of loads that stand still a
+variable without branch points does (`edge_at_rest`).
 """
 
 from __future__ import annotations

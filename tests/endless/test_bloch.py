@@ -9,8 +9,11 @@ import pytest
 from endless_rows import bogies, masses
 
 from mpsolve.characteristic.floats import Floats
-from mpsolve.endless.bloch import Bloch
+from mpsolve.characteristic.proved import Proved
+from mpsolve.endless.bloch import Bloch, scattered
 from mpsolve.endless.row import Row
+from mpsolve.numbers.balls import Balls, acb, precision
+from mpsolve.numbers.float64 import Float64
 from mpsolve.problem.reduced import reduce_problem
 
 SIGMA = np.array([0.3 + 0.2j, 0.05 + 0.6j, 0.28j, 0.9j])
@@ -49,3 +52,27 @@ def test_the_slope_is_the_derivative() -> None:
     slope = bloch.delta(SIGMA, z)[1]
     difference = (bloch.delta(SIGMA + h, z)[0] - bloch.delta(SIGMA - h, z)[0]) / (2 * h)
     assert np.allclose(slope, difference, rtol=1e-6)
+
+
+def test_balls_hold_the_floats() -> None:
+    row, sigma = bogies("0.4"), 0.1 + 0.3j
+    floats = Bloch(row).scatterer(np.array([sigma]))[0]
+    with precision(128):
+        proved = Proved(row.reduced, eliminate=False)
+        split = proved.splitting(acb(sigma.real, sigma.imag))
+        waves = list(zip(split.roots, split.weights, strict=True))
+        A = proved.matrices(split.sigma, slope=False)[0]
+        S = scattered(Balls(), row, A, waves, proved.upper, lambda x: x.exp())
+        assert np.allclose(np.array([[complex(x) for x in line] for line in S]), floats, rtol=1e-9, atol=1e-12)
+
+
+def test_a_vehicle_that_weighs_nothing_lets_waves_pass() -> None:
+    row, sigma = bogies("0.4"), np.array([0.1 + 0.3j])
+    bloch = Bloch(row)
+    P = np.stack([term.z for term in bloch.terms(sigma)], -1)[0]
+    ahead = np.arange(len(P)) < bloch.upper
+    stiff = np.eye(row.reduced.bodies + row.reduced.contacts, dtype=complex)[None] * 1e30  # λ is all but 0
+    waves = [(term.z, term.w) for term in bloch.terms(sigma)]
+    K = Float64()
+    S = K.matrix(scattered(K, row, stiff, waves, bloch.upper, np.exp))[0]
+    assert np.allclose(S, np.diag(np.exp(np.where(ahead, P, -P) * float(row.step))), atol=1e-20)
