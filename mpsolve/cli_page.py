@@ -37,7 +37,8 @@ def report(file: Path, output: Path | None, pdf: Path | None, digits: int, effor
     """Write a page about the problem in FILE: verdict, margins, vibrations, motion, what is proved, certificates.
 
     The page is one HTML file that needs no network. Its parts are made in the order of their importance within
-    --effort; what was not ready in time is named on it. The motion is that under the loads of the file, or weights.
+    --effort; what was not ready in time, or at the first Ctrl-C, is named on it. The motion is that under the loads
+    of the file, or weights.
 
     Exit status 0: the vibrations are proved, stable or not. 1: they are undecided, as the page says, or the page
     could not be written. 2: the input cannot be used.

@@ -74,9 +74,9 @@ def response(
     on suddenly at t = 0, unless --initial steady.
 
     A case of the paper ([dimensionless], or [physical] without a unit in --to): τ and ξ of the paper, over certified
-    frequencies. The loads are P, P_A, omega_f, phi_f of each [[mass]], or those of each [[load]], else the weights,
-    or one unit force each. [physical] gives s, mm and kN; [dimensionless] τ = √(k/m) t, displacements in units of
-    w_st = χ/(2k) times the unit force, and forces in unit forces.
+    frequencies. The loads are P, P_A, omega_f, phi_f of each [[mass]], or constant, amplitude, frequency, phase of
+    each [[load]], else the weights, or one unit force each. [physical] gives s, mm and kN; [dimensionless]
+    τ = √(k/m) t, displacements in units of w_st = χ/(2k) times the unit force, and forces in unit forces.
 
     Columns of a table: w is the sum of steady (what the loads keep up), harmonic (at the induced frequencies) and
     transient (the rest).

@@ -157,6 +157,7 @@ def train(file: Path, spacing: str | None, effort: str, as_json: bool) -> None:
     from mpsolve.endless.infinite_train import infinite_train
     from mpsolve.endless.row import row_in
     from mpsolve.numbers.units import in_unit
+    from mpsolve.problem.case import Case
     from mpsolve.problem.inputfile import read_problem
     from mpsolve.report.trains import train_json, train_text
 
@@ -167,7 +168,7 @@ def train(file: Path, spacing: str | None, effort: str, as_json: bool) -> None:
         budget, several = effort_of(effort), given.problem.pencil.contacts > 1
         found = infinite_train(row.problem, row.spacing, effort=budget, progress=tell)
         ratios = amplification(given.problem, effort=budget, progress=tell) if several else None
-    write = train_json if as_json else train_text
-    click.echo(write(given.title, found, ratios, count), nl=False)
+    told = (given.title, found, ratios, count)
+    click.echo(train_json(*told) if as_json else train_text(*told, si=not isinstance(given.case, Case)), nl=False)
     if not found.proved:
         sys.exit(UNDECIDED)

@@ -52,7 +52,7 @@ def problem_card(spectrum: Spectrum) -> str:
             "", "Re q", "Im q", f"frequency [{units.frequency}]", f"growth rate [{units.rate}]", "what it does",
         ),
         rows=rows,
-        notes=filter(None, ["" if cuts_seen else NO_CUT, *words.proved(spectrum), words.verified(spectrum)]),
+        notes=filter(None, ["" if cuts_seen else NO_CUT, *words.proved(spectrum), words.verified_briefly(spectrum)]),
         svg=alone(picture) if picture else "",
     )  # fmt: skip
 

@@ -167,6 +167,8 @@ def _chain(walk: Walk, paths: list[Path], loops: list[Loop], begin: Point, start
 def count_sheet(track: Track, vehicle: Vehicle, paths: list[Path], theorem: Any, start: Fraction) -> tuple[int, int]:
     """The number of frequencies on the sheet, and of pieces."""
     b.set_bits(THIN)
+    if "rest" in theorem:
+        raise NotCheckedError("the count on the whole sheet, as its way past the branch points is that at rest")
     keys(theorem, {"begin", "end", "reach", "lower", "upper"}, "the theorem")
     beam = Beam(track, vehicle)
     s, e = dyadic(theorem["begin"]), dyadic(theorem["end"])

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.tabled import Tabled
 from mpsolve.problem.cases import Given
 
 STATUSES = ("ok", "unresolved", "refused")
 
 
 @dataclass(frozen=True)
-class Frequencies:
+class Frequencies(Tabled):
     """Counts and roots in a region for every entry of a batch, in float64: nothing is proved.
 
     over: the arrays that were given, broadcast to `shape`. count: int, −1 where it is not told. status: "ok";
@@ -47,6 +48,18 @@ class Frequencies:
         with np.errstate(invalid="ignore"):
             return np.where(self.count < 0, -1, (self.roots.imag < 0).sum(-1))
 
+    def records(self) -> Iterator[Mapping[str, Any]]:
+        """The columns of `to_dict`, an entry a row."""
+        columns = self.to_dict()
+        return (dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True))
+
+    def _headline(self) -> str:
+        size, told = self.count.size, int((self.count >= 0).sum())
+        some = int((self.count > 0).sum())
+        where = "Im q < 0" if self.region == "unstable" else self.region
+        stated = f"{some} of them with roots in {where}, {size - told} not told"
+        return f"Frequencies of {size} entries, shape {self.shape}: {stated}; float64, not proved"
+
     def to_dict(self) -> dict[str, list[Any]]:
         """Columns by name, an entry a row: the parameters, status, reason, count, and re_1, im_1, … (None: none)."""
         out: dict[str, list[Any]] = {path: np.ravel(values).tolist() for path, values in self.over.items()}
@@ -58,11 +71,3 @@ class Frequencies:
                 out[f"re_{k + 1}"] = [None if q != q else q.real for q in column]
                 out[f"im_{k + 1}"] = [None if q != q else q.imag for q in column]
         return out
-
-    def to_frame(self) -> Any:
-        """`to_dict` as a pandas DataFrame; InputError where pandas is not installed."""
-        try:
-            import pandas
-        except ImportError:
-            raise InputError("to_frame", "needs pandas: pip install pandas, or use to_dict()") from None
-        return pandas.DataFrame(self.to_dict())

@@ -13,11 +13,14 @@ from mpsolve.problem.reduced import Reduced
 from mpsolve.spectrum.branch_loops import Loop
 from mpsolve.spectrum.sheet import Half, SheetCount
 
+_SMALL = 2.0**-8  # of a piece next to a branch point: smaller ones ask for more bits
+
 
 def sheet_certificate(reduced: Reduced, count: SheetCount, roots: Iterable[RootEntry], unstable: int) -> Certificate:
     """The certificate of a count on the whole sheet and of the discs that explain it."""
     unit = reduced.frequency_unit
     far = None if count.far is None else dyadic(Fraction(count.far.W) * Fraction(2) ** -reduced.guide.length)
+    rest = {} if count.rest is None else {"rest": [dyadic(z * unit) for z in count.rest.z]}
     content: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
@@ -33,6 +36,7 @@ def sheet_certificate(reduced: Reduced, count: SheetCount, roots: Iterable[RootE
             "reach": far,
             "lower": [_loop(loop, unit) for loop in count.lower.loops],
             "upper": [_loop(loop, unit) for loop in count.upper.loops],
+            **rest,
         },
         "claim": {"region": {"kind": "sheet"}, "count": count.total, "unstable": unstable},
         "roots": [root_entry(root) for root in roots],
@@ -43,6 +47,7 @@ def sheet_certificate(reduced: Reduced, count: SheetCount, roots: Iterable[RootE
 def _bits(count: SheetCount) -> int:
     """More of them where loops are small: p-roots are closer to each other there."""
     radii = [loop.radius for half in (count.lower, count.upper) for loop in half.loops if loop.ways is not None]
+    radii += [] if count.rest is None or count.rest.closest > _SMALL else [count.rest.closest]
     return 64 if not radii else min(256, 96 + 2 * int(-math.log2(min(radii))))
 
 

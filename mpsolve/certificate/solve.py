@@ -73,7 +73,7 @@ def certify_problem(
     lossless = line is not None and not line.height and region in ("unstable", None)
     if region == "sheet" or lossless:
         wanted: Answered = Sheet()
-        asked: Region | Line = sheet_halves(line)
+        asked: Region | Line = sheet_halves(reduced, line)
     elif isinstance(region, Rectangle) and line_for(reduced, region) is not None:
         wanted = asked = region
     else:

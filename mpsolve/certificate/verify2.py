@@ -29,7 +29,7 @@ import flint
 from flint import acb, acb_mat, acb_poly, arb, arb_mat, fmpq, fmpq_mat, fmpq_mpoly_ctx, fmpq_poly
 
 MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 20_000, 1e9, 1_000, 20_000
-ARCS = 24
+ARCS, MAX_REST = 24, 400
 MAX_ROWS, MAX_BODIES, MAX_CONTACTS, MAX_DEGREE, MAX_BITS, MAX_MULTIPLICITY = 5, 192, 64, 24, 70_000, 8
 MAX_TERMS, MAX_SIZE, BOXES = 120, 20_000, 20_000  # with free parameters: of a track, a polynomial; parts of a range
 SMALL, CORNERS = 8, 3  # matrices up to this size are eliminated entry by entry; exact in so many variables
@@ -1246,50 +1246,49 @@ def split_near(local: Local, known: Known) -> Split:
         return nodes_near(local, known).split()
 
 
-def newton(D: Sequence[Any], z: Sequence[Any]) -> list[Any] | None:
-    """Nearer to the roots of Σ D_i P^i, by Newton's method, in floats where they do; None where it does not settle.
+def newton(D: Sequence[acb], z: Sequence[acb]) -> list[acb] | None:
+    """Nearer to the roots of Σ D_i P^i, by Newton's method, in floats where they do: nothing rests on it.
 
-    Nothing rests on it.
+    None where it does not settle.
     """
     if flint.ctx.prec <= 64:
         try:
             c = [complex(x) for x in reversed(D)]
-            found = [in_floats(c, complex(x)) for x in z]
-            return None if None in found else [acb(x) for x in found]
+            first = [complex(x) for x in z]
+            near = [in_floats(c, x, 1e-9 * max(map(abs, first))) for x in first]
+            return [acb(x) for x in near if x is not None] if None not in near else None
         except (OverflowError, ZeroDivisionError):
             pass
     p = acb_poly(D)
-    slope, near = p.derivative(), max(abs(x).upper() for x in z) * arb(2) ** (-flint.ctx.prec // 4)
+    slope, small = p.derivative(), max(abs(x).upper() for x in z) * arb(2) ** (-flint.ctx.prec // 4)
     for _ in range(flint.ctx.prec.bit_length() + 4):
         step = [(p(x) / slope(x)).mid() for x in z]
         z = [(x - y).mid() for x, y in zip(z, step, strict=True)]
-        if all(abs(y) < near for y in step):  # the next one is about as its square
+        if all(abs(y) < small for y in step):  # the next one is about as its square
             return list(z)
     return None
 
 
-def in_floats(c: Sequence[complex], z: complex) -> complex | None:
-    """A root of the polynomial with these coefficients, the highest first, near z; None where none is found."""
-    for _ in range(10):
+def in_floats(c: Sequence[complex], z: complex, small: float) -> complex | None:
+    """A root of the polynomial with these coefficients, the highest first, near z."""
+    for _ in range(12):
         value, slope = c[0], 0j
         for x in c[1:]:
             value, slope = value * z + x, slope * z + value
         step = value / slope
         z -= step
-        if abs(step) <= 1e-9 * abs(z):
+        if abs(step) <= small:
             return z
     return None
+
+
+REAL = "a p-root may be real there"
 
 
 def sided(split: Split) -> bool:
     """Each root of U lies within (their number)·τ_k of some node, so all have Re P < 0, and those of L Re P > 0."""
     pairs_ = zip(split.nodes.side, (-1, 1), strict=True)
     return all(sign * split.nodes.z[k].real > len(side) * split.tight[k] for side, sign in pairs_ for k in side)
-
-
-def check_sides(split: Split) -> None:
-    """U has the roots with Re P < 0, L those with Re P > 0, over the whole place."""
-    require(sided(split), "a p-root may be real there")
 
 
 # --- kernels: G(ξ) over a place ---------------------------------------------------------------------------
@@ -1433,16 +1432,17 @@ class Origin:
 
 
 def alone(sizes: Sequence[Any], slope: Any) -> Any:
-    """A radius e: exactly one |u| < e solves Σ E_i u^i = 0 where |E_i| ≤ sizes_i, but E_1 is, to within its size,
-    a number of modulus ≥ slope; by Rouché."""
-    require(slope > 0, "p-roots meet next to q = 0")
-    e = (sizes[0] / slope * 1.5 + arb(2) ** (-4 * flint.ctx.prec)).upper()
+    """e < e': exactly one |u| < e' solves Σ E_i u^i = 0, and it has |u| ≤ e, where |E_i| ≤ sizes_i, but E_1 is, to
+    within its size, a number of modulus ≥ slope; by Rouché."""
+    require(slope > 0, "p-roots meet")
+    row = [x / slope for x in sizes]
+    e = (row[0] * 1.5 + arb(2) ** (-4 * flint.ctx.prec)).upper()
     for _ in range(12):
-        image = sum((x * e**i for i, x in enumerate(sizes)), arb(0)) / slope
+        image = horner(row, e)
         if image < e:
-            return e
+            return image.upper()
         e = (image * 1.6).upper()
-    raise Refused("p-roots are not told apart next to q = 0: the piece is too long")
+    raise Refused("p-roots are not told apart: the piece is too long")
 
 
 def min_bound(x: Any, y: Any) -> Any:
@@ -1674,7 +1674,7 @@ class Walker:
     def begin(self, depth: Any) -> None:
         """The pair at q = −i·depth is (roots with Re P < 0, the others): each root in a disc on its side."""
         split, at = nodes_near(self.waves.near(Place.disc(acb(arb(depth)), ZERO))).split(), (fmpq(0), -depth)
-        check_sides(split)
+        require(sided(split), REAL)
         self.marks[at] = Mark(at, split, split)
 
     def thin(self, mark: Mark) -> Split:
@@ -2498,11 +2498,15 @@ def max_bound(*values: Any) -> Any:
 def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
     """The number of roots on the physical sheet, proved; points are z = q − i height."""
     theorem, values, zero = content["theorem"], content["paths"], fmpq(0)
-    keys(theorem, "begin end reach lower upper")
+    keys(theorem, "begin end reach lower upper", "rest")
     begin, end = (dyadic(theorem[name], name) for name in ("begin", "end"))
     loops, above = read_loops(theorem["lower"]), read_loops(theorem["upper"])
     damped, one = sheet.height > 0, 2 + len(loops)
-    two = damped and end > begin
+    rest = [dyadic(x, "rest") for x in items(theorem.get("rest", []), MAX_REST, "rest")]
+    if rest:  # the paths begin beyond the branch points
+        known = rest[0] == begin and rest[-1] == end and not loops and begin > 0
+        require(known, "the way past the branch points begins or ends elsewhere")
+    two = damped and end > begin and not rest
     paths = read_paths(values, "link" + " turn" * (one - 1) + (" link turn" + " turn" * len(above) if two else ""))
     passive = all(map(semidefinite, sheet.upper.numbers[1:]))
     require(passive, "above the cuts the vehicle is not passive")
@@ -2514,10 +2518,12 @@ def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
     waves = Waves(sheet.track, sheet.upper.places)
     below, up = Walker(waves, Bordered(sheet.lower, waves)), Walker(waves, Bordered(sheet.upper, waves))
     turned = arb(0)
+    for bordered in (below.bordered, *([up.bordered] if damped else [])) if rest else ():
+        turned += turn_at_rest(sheet, bordered, rest, spent)
     for walker, chain, rounds in [(below, paths[:one], loops), (up, paths[one:], above)]:
         if not chain:
             continue
-        link, at = chain[0].points, (begin, zero)
+        link, at = chain[0].points, (end if rest else begin, zero)
         require(link[0] == (zero, -start) and link[-1] == at, "a link does not lead to where the count begins")
         require(all(y <= 0 for _, y in link), "a link is above the line")
         walker.begin(start)
@@ -2545,6 +2551,153 @@ def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
     b, pi = up.bordered, arb.pi()
     closed = closing(up, marks[end, zero]) + (b.nb - b.nc) * pi / 2
     return whole((closed - turned) * (1 if damped else 2) / pi)
+
+
+class Along(Place):
+    """A disc of s, over which σ is a given form."""
+
+    def stand(self, sigma: Form) -> Along:
+        self.powers = [[self.number(1), sigma]]
+        return self
+
+    def value(self, polynomials: Sums) -> Form:
+        rows = polynomials.matrix.tolist()
+        parts = [self.monomial(e).take([0] * len(rows)) for e in polynomials.exponents]
+        scaled = [f.scaled([row[n] for row in rows]) for n, f in enumerate(parts)]
+        return sum(scaled[1:], scaled[0])
+
+
+@dataclass(repr=False, eq=False)
+class AtRest:
+    """The edge of the cut in s, at v = 0: D = EI (P² + sP + π)(P² − sP + π) with 2π = s² + A, A = T/EI."""
+
+    EI: Any
+    A: Any
+    k: Any
+    m: Any
+
+    def Q(self, z: Any) -> Any:
+        """π² at z."""
+        return (self.k - self.m * z * z) / self.EI
+
+    def s(self, z: Any) -> Any:
+        """On the edge seen from below: π and s are the roots with real parts above 0, or their limits."""
+        Q, A = self.Q(z), self.A
+        if Q < 0:
+            return (acb(-arb(A), 2 * arb(-Q).sqrt())).sqrt()
+        w = arb(Q).sqrt()
+        square = arb(4 * Q - A * A) / (2 * w + arb(A)) if A > 0 else 2 * w - arb(A)
+        return acb(square.sqrt()) if A <= 0 or 4 * Q > A * A else acb(0, (-square).sqrt())
+
+    def disc(self, a: Any, b: Any) -> Place:
+        """A disc that holds the image of a ≤ z ≤ b: real, then imaginary, then on the hyperbola Re s² = −A."""
+        Q, last, A = self.Q(a), self.Q(b), self.A
+        ends, arc = [self.s(a), self.s(b)], []
+        if A >= 0 and 4 * Q >= A * A >= 4 * last:
+            ends.append(acb(0))
+        if Q >= 0 > last:
+            ends.append(acb(-arb(A)).sqrt())
+        if last < 0 and A != 0:  # |ds/dy| = 1/|s| along s² = 2iy − A
+            low, high = arb(max(-Q, fmpq(0))).sqrt(), arb(-last).sqrt()
+            least = abs(acb(-arb(A), 2 * low).sqrt())
+            arc.append((acb(-arb(A), low + high).sqrt(), (high - low) / 2 / least))
+        middle = ((ends[0] + ends[1]) / 2).mid()
+        r = max_bound(*(abs(x - middle) for x in ends), *(abs(x - middle) + e for x, e in arc))
+        return Along([middle], [(r * arb(1 + 2.0**-20)).upper()], 1)
+
+    def matrix(self, b: Bordered, place: Place) -> Forms:
+        """Its determinant is −4(EI)²πs²Δ̂ up to a constant, or 2EIπsΔ̂ where there is one place."""
+        EI, A = arb(self.EI), arb(self.A)
+        s = place.power(0, 1)
+        pi = (s * s).plus([A]).scaled([acb(0.5)])
+        square = pi * pi
+        along = Along(place.middle, place.half, 1).stand(
+            root(square.plus([-arb(self.k / self.EI)]), self.EI / self.m)
+        )
+        sites = [at(x, ()) for x in b.vehicle.places]
+        middle = (min(sites) + max(sites)) / 2
+        x = [arb(y - middle) for y in sites]
+        gaps = [max(arb(0), -y.real) if not y.is_zero() else arb(0) for y in b.waves.distances]
+        rho = (s.size[0] + pi.size[0].sqrt() + abs(A).sqrt()).upper()
+        widest = (rho * max_bound(*map(abs, x), *gaps)).upper()
+        require(widest < 64, "the places are too far apart for the way past the branch points")
+        terms_ = 12 + 4 * int(float(widest)) + flint.ctx.prec // 3
+        one, zero = s.scaled([NONE]).plus([1]), s.scaled([NONE])
+        p, q, K = [one, zero], [zero, one], [zero] * 3 + [one.scaled([1 / EI])]
+        while len(p) < terms_:
+            p.append(-(s * p[-1] + pi * p[-2]))
+            q.append(-(s * q[-1] + pi * q[-2]))
+        while len(K) < terms_:
+            K.append(-(K[-2].scaled([A]) + square * K[-4]) if len(K) % 2 else zero)
+        A_, E = b(along, series(K, gaps, 3, rho))
+        waves = [p] if len(b.vehicle.sites) == 1 else [p, q]
+        factors, columns, low = along.value(b.factors), [], []
+        links = [(i, f, j) for i, row in enumerate(b.links) for f, j in row]
+        for order, wave in enumerate(waves):
+            products = factors.take([f for _, f, _ in links]) * series(wave, x, order, rho).take(
+                [j for *_, j in links]
+            )
+            rows = [[n for n, (i, *_) in enumerate(links) if i == row] for row in range(b.size)]
+            columns.append(joined([folded(products.take(row), 1) if row else zero for row in rows]))
+            low.append(-series(wave, [-y for y in x], order, rho))
+        corner = [(s * pi).scaled([2 * EI]), s.scaled([-2 * EI])]
+        empty = b.size - b.nc
+
+        def full(matrix: Any, some: Callable[[Form], list[Any]], nothing: Any) -> list[list[Any]]:
+            top = [[*line, *(some(c)[i] for c in columns)] for i, line in enumerate(matrix.tolist())]
+            for n, form in enumerate(low):
+                ends = [some(corner[n])[0] if i == n else nothing for i in range(len(low))]
+                top.append([*[nothing] * empty, *some(form), *ends])
+            return top
+
+        matrices = [acb_mat(full(a, lambda f, k=k: f.k[k], NONE)) for k, a in enumerate(A_)]  # type: ignore[misc]
+        return matrices, arb_mat(full(E, lambda f: f.e, ZERO))
+
+
+def root(f: Form, factor: Any) -> Form:
+    """√(factor·f) = i√(−factor·f), the root of −factor·f with positive real part."""
+    f = f.scaled([acb(-arb(factor))])
+    c = f.k[0][0].sqrt()
+    require(c.real > 0, "z = 0 lies on a piece of the way past the branch points")
+    if not f.m:
+        return f.scaled([NONE]).plus([acb(0, 1) * c])
+    size = abs(f.k[0][0])
+    y = (f.sizes(1)[0] + f.e[0]) / size
+    require(y < 0.9, "a piece of the way past the branch points comes too close to z = 0")
+    rest = abs(c) * (f.e[0] / size / 2 + y * y / 8 / (1 - y) ** 2)
+    return Form([[acb(0, 1) * c], [acb(0, 1) * f.k[1][0] / (2 * c)]], [rest], 1)
+
+
+def series(f: Sequence[Form], x: Sequence[Any], order: int, rho: Any) -> Form:
+    """Σ f_n xⁿ/n! at each x; |f_n| ≤ ρ^(n − order) |f_order|, so what is left out is at most twice its first term."""
+    n, total = len(x), None
+    power = [acb(1)] * n
+    for k, one in enumerate(f):
+        power = [y * z / k for y, z in zip(power, x, strict=True)] if k else power
+        term = one.take([0] * n).scaled(power)
+        total = term if total is None else total + term
+    first, last = abs(f[order].k[0][0]), len(f)
+    sizes = [abs(arb(y)) for y in x]
+    require(all(2 * rho * y < last for y in sizes), "a series is too short")
+    left = [2 * first * y**order * (rho * y) ** (last - order) / arb(last).fac() for y in sizes]
+    return total.rested([y.upper() for y in left])  # type: ignore[union-attr]
+
+
+def turn_at_rest(sheet: Sheet, b: Bordered, z: Sequence[Any], spent: Walker) -> Any:
+    """The change of arg Δ̂ along the edge of the cut from z[0] in the gap to z[-1] beyond all branch points, v = 0."""
+    t = terms(sheet.track.D)
+    edge = AtRest(t[4, 0], t.get((2, 0), fmpq(0)) / t[4, 0], t[0, 0], t[0, 2])
+    fine = sheet.track.v == 0 and terms(sheet.track.N) == {(0, 0): 1} and all(x < y for x, y in pairwise(z))
+    require(fine and edge.Q(z[0]) > 0 > edge.Q(z[-1]), "the way past the branch points is another one")
+    total = arb(0)
+    for x, y in pairwise(z):
+        spent.pieces += 1
+        spent.spend(4000 + 200 * b.size**2 + b.size**3)
+        place = edge.disc(x, y)
+        turn = Turn.over(edge.matrix(b, place), place)
+        first, last = (edge.matrix(b, Place.disc(edge.s(w), ZERO))[0][0] for w in (x, y))
+        total += turn.sharp(last) - turn.sharp(first)
+    return total - (1 if len(b.vehicle.sites) == 1 else 2) * edge.s(z[-1]).arg() - arb.pi() / 2
 
 
 def count_beside(sheet: Sheet, region: Region, spent: Walker, content: Any, start: Any) -> int:
@@ -2612,7 +2765,7 @@ def check_root(track: Track, vehicle: Bodies, root: Root, walker: Walker) -> Non
         waves = Waves(track, vehicle.places)
         place = Place.disc(at_q(root.z), arb(root.radius).upper())
         disc = nodes_near(waves.near(place)).split()
-        check_sides(disc)
+        require(sided(disc), REAL)
         check_zeros(Bordered(vehicle, waves)(place, kernels(waves, disc)[0]), m)
 
 

@@ -255,15 +255,10 @@ def alone(nodes: spectra.Nodes, used: Sequence[int], throughout: bool) -> tuple[
     value, slope = (spectra.along(D, sizes, delta, most, way) for way in (False, True))
     eps, lost = [], []
     for k, (first, moved) in enumerate(zip(value.size, slope.spread, strict=True)):
-        above_ = arb_poly([0, 0, *(size[k] for size in sizes[2:])])(
-            arb_poly([most[k], 1])
-        ).coeffs()  # bounds of |c_j|
-        low, more = slope.k[0][k].abs_lower() - moved, arb_poly([0, 0, *above_[2:]])
-        found = radius_of(first / low, more * (1 / low)) if low > 0 else None
-        if found is None:
-            return None
-        eps.append(found)
-        lost.append(more.derivative()(found))
+        c = arb_poly([0, 0, *(size[k] for size in sizes[2:])])(arb_poly([most[k], 1])).coeffs()[2:]  # bounds of |c_j|
+        low = slope.k[0][k].abs_lower() - moved
+        eps.append(spectra.alone([first, ZERO, *c], low))
+        lost.append(arb_poly([0, 0, *c]).derivative()(eps[k]))
     off = [x + y for x, y in zip(most, eps, strict=True)]
     own = off if throughout else [abs(x) + y for x, y in zip(delta.k[0], eps, strict=True)]
     sided = all((-x.real if k < nodes.up else x.real) > y for k, x, y in zip(used, z, own, strict=True))
@@ -292,17 +287,6 @@ def followed(D: Sequence[Form]) -> Form:
             term = [x + y * z for x, y, z in zip(term, D[2].k[0], bent, strict=True)]
         k.append([x * c for x, c in zip(term, over, strict=True)])
     return Form([[x.mid() for x in row] for row in k], [ZERO] * len(over), D[0].m)
-
-
-def radius_of(base: Any, above: Any) -> Any:
-    """ε with base + above(ε) ≤ ε, above of second order with coefficients ≥ 0, and < in a larger disc; or None."""
-    eps = (base * 1.5).upper()
-    for _ in range(8):
-        image = base + above(eps)
-        if image < eps:
-            return image
-        eps = (image * 1.6).upper()
-    return None
 
 
 def kernels_over(waves: Waves, place: Place, throughout: bool) -> Form:

@@ -7,21 +7,18 @@ from collections.abc import Iterable, Mapping
 from dataclasses import Field, fields
 from enum import Enum
 from fractions import Fraction
-from itertools import islice
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from flint import arb
 
-from mpsolve.errors import InputError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.packed import Portable
 from mpsolve.numbers.plain import plain
+from mpsolve.numbers.tabled import Tabled
 
 if TYPE_CHECKING:
     from mpsolve.outcome import Reason, Status
-
-_ROWS = 100  # printed, or shown in a notebook
 
 
 @frozen
@@ -34,7 +31,7 @@ class Cost:
     pieces: int = 0
 
 
-class Result(Portable):
+class Result(Portable, Tabled):
     """Base of frozen dataclasses with a `status`; they pickle, and refuse a truth value, which would mislead.
 
     reason: why the answer is undecided, and what helps, or None. known: what is proved all the same.
@@ -86,50 +83,11 @@ class Result(Portable):
         """`to_dict` as a text."""
         return json.dumps(self.to_dict(), ensure_ascii=False, indent=1)
 
-    def to_frame(self) -> Any:
-        """The table as a pandas.DataFrame; InputError where pandas is not installed."""
-        try:
-            import pandas  # type: ignore[import-untyped,import-not-found,unused-ignore]
-        except ImportError:
-            raise InputError("to_frame", "needs pandas: pip install pandas, or use to_dict()") from None
-        return pandas.DataFrame(list(self.records()))
-
     def _shown(self) -> list[Field[Any]]:
         return [one for one in fields(self) if one.name not in self.hidden]  # type: ignore[arg-type]
 
-    def _repr_html_(self) -> str:
-        """What a notebook shows."""
-        from html import escape
-
-        names, *rows = self._printed()
-        tags = ["th", *("td" for _ in rows)]
-        cells = [
-            "".join(f"<{tag}>{escape(x)}</{tag}>" for x in line)
-            for tag, line in zip(tags, (names, *rows), strict=True)
-        ]
-        table = "<table>" + "".join(f"<tr>{cell}</tr>" for cell in cells) + "</table>" if rows else ""
-        more = f"<p>{escape(self._rest())}</p>" if self._rest() else ""
-        return f"<p>{escape(self._headline())}</p>{table}{more}"
-
-    def __str__(self) -> str:
-        """What `print` shows: how far it is to be trusted, and the table."""
-        names, *rows = self._printed()
-        widths = [max(map(len, column)) for column in zip(names, *rows, strict=True)]
-        lines = ["  ".join(x.ljust(n) for x, n in zip(line, widths, strict=True)).rstrip() for line in (names, *rows)]
-        return "\n".join([self._headline(), *lines[: bool(rows) and None], *filter(None, [self._rest()])])
-
     def _headline(self) -> str:
         return f"{type(self).__name__}: {self.trust}"
-
-    def _printed(self) -> list[list[str]]:
-        """The names of the columns, and the first rows."""
-        rows = list(islice(self.records(), _ROWS))
-        names = list(dict.fromkeys(name for row in rows for name in row))
-        return [names, *([_text(row.get(name)) for name in names] for row in rows)]
-
-    def _rest(self) -> str:
-        left = sum(1 for _ in islice(self.records(), _ROWS, None))
-        return f"and {left} more rows" if left else ""
 
     def __bool__(self) -> bool:
         raise TypeError(f"{type(self).__name__} has no truth value: ask for .proved, or for what it says")
@@ -142,7 +100,3 @@ def _cell(value: Any) -> Any:
     if isinstance(value, arb):
         return float(value.mid())
     return float(value) if isinstance(value, Fraction) else value if isinstance(value, (int, float, str)) else None
-
-
-def _text(x: Any) -> str:
-    return "" if x is None else f"{x:.8g}" if isinstance(x, (float, complex)) else str(x)

@@ -1,6 +1,7 @@
 """A budget of time for a page: parts are made in order of importance, and what does not fit in is named.
 
-Each part hears how long it may take. One that takes much longer is ended all the same.
+Each part hears how long it may take. One that takes much longer is ended all the same. The first Ctrl-C ends the part
+that is being made, and no further one is begun.
 """
 
 from __future__ import annotations
@@ -15,9 +16,11 @@ from numpy.linalg import LinAlgError
 
 from mpsolve.errors import MpsolveError
 from mpsolve.proof.deadline import TimeUpError, deadline
+from mpsolve.proof.stopping import asked_to_end, ended_at_once
 
 T = TypeVar("T")
 _NO_TIME = "there was no time left for it: allow more with --effort"
+_STOPPED = "the work was interrupted: start it again for the rest"
 _GRACE = 0.2  # of its time, for a part that is about to end by itself
 
 
@@ -57,6 +60,8 @@ class Budget:
 
         Where it has not come back a little after that, it is left, and is late.
         """
+        if asked_to_end():
+            return Part(name, reason=_STOPPED, late=True)
         left = self.left
         if left <= least:
             return Part(name, reason=_NO_TIME, late=True)
@@ -64,8 +69,12 @@ class Budget:
         start = self.clock()
         seconds = max(share * left, least)
         try:
-            with np.errstate(all="ignore"), deadline(min((1 + _GRACE) * seconds, left)):  # odd values overflow
-                value = make(seconds)
+            with np.errstate(all="ignore"), ended_at_once(), deadline(min((1 + _GRACE) * seconds, left)):
+                value = make(seconds)  # odd values overflow
+        except KeyboardInterrupt:
+            if not asked_to_end():
+                raise
+            return Part(name, reason=_STOPPED, late=True, seconds=self.clock() - start)
         except TimeUpError:
             return Part(name, reason=_NO_TIME, late=True, seconds=self.clock() - start)
         except (MpsolveError, ArithmeticError, LinAlgError) as error:

@@ -25,7 +25,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.problem.warned import titled
 from mpsolve.report.remedies import on_command_line
 from mpsolve.report.spectrum_data import spectrum_data
-from mpsolve.report.spectrum_words import ASSUMED, proved, verdict, verified
+from mpsolve.report.spectrum_words import ASSUMED, proved, verdict, verified_briefly
 from mpsolve.report.template import rendered
 from mpsolve.report.vibration import once
 from mpsolve.spectrum.spectrum import Root
@@ -82,7 +82,7 @@ def page_html(parts: Parts, stem: str) -> str:
         scope=scope(parts),
         sources=parts.sources,
         proved=proved(spectrum),
-        verified=verified(spectrum).split("\n"),
+        verified=verified_briefly(spectrum).split("\n"),
         also=[card for card in cards(parts) if card.status == "proved"],
         assumed=ASSUMED,
         downloads=downloads(parts, stem),

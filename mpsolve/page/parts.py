@@ -21,6 +21,7 @@ from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.proof.deadline import TimeUpError, deadline
 from mpsolve.proof.effort import MORE_EFFORT, Effort
+from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.chart import Chart, stability_chart
 from mpsolve.ranges.default import MASS_FACTORS, critical_of, top_velocity, velocity_ranges
 from mpsolve.ranges.margin import Margin
@@ -74,6 +75,7 @@ class Parts:
         return tuple(part.name for part in (*parts, *more) if part is not None and part.late)
 
 
+@stoppable
 def gather(
     given: Given,
     title: str,
@@ -87,6 +89,7 @@ def gather(
 ) -> Parts:
     """All parts that fit into the budget; the roots come first.
 
+    The first Ctrl-C leaves out what is not ready; a second one ends all.
     prove_chart: with what is left at the end; counts in floats take its place where too much of it stays open.
     """
     problem, budget = as_problem(given), Budget(seconds, tell)

@@ -79,8 +79,8 @@ def discriminant(D: Polynomial) -> fmpq_poly:
     return fmpq_poly([c * (-1) ** j for j, c in enumerate(to_rows(found)[0].coeffs()[::2])])
 
 
-def line_height(track: Track | Waveguide) -> Fraction | None:
-    """η in the track's own units; None where its cuts do not lie on one line, or it is another track."""
+def beam_height(track: Track | Waveguide) -> Fraction | None:
+    """η = c/2m in the track's own units; None where it is no beam on one layer."""
     waveguide = track.waveguide
     D, N = waveguide.dispersion, waveguide.numerator
     if not (set(D) <= _TERMS and {(4, 0), (0, 0), (0, 2)} <= set(D) and set(N) == {(0, 0)}):
@@ -88,9 +88,17 @@ def line_height(track: Track | Waveguide) -> Fraction | None:
     if not (D[4, 0] > 0 and D[0, 2] > 0 and N[0, 0] > 0):
         return None
     height = D.get((0, 1), Fraction(0)) / (2 * D[0, 2])
+    return height if height >= 0 else None
+
+
+def line_height(track: Track | Waveguide) -> Fraction | None:
+    """η where all cuts of a beam lie on Im q = η: no free wave decays without vibrating. None for other tracks."""
+    height, D = beam_height(track), track.waveguide.dispersion
+    if height is None:
+        return None
     rest = D[0, 0] - height**2 * D[0, 2]
     at_rest = fmpq_poly([as_fmpq(x) for x in (rest, -D.get((2, 0), Fraction(0)), D[4, 0])])
-    return height if height >= 0 and is_positive(at_rest) else None
+    return height if is_positive(at_rest) else None
 
 
 def on_line(reduced: Reduced) -> Line | None:

@@ -95,13 +95,20 @@ def sharpened(f: Analytic, image: Any, goal: int, onto: Callable[[Any], Any] | N
     known = _accuracy(image, least)
     while known < goal:
         target = _next(known, goal, loss)
-        with precision(known + guard):
-            slope = f.slope(image)
-        with precision(target + guard):
-            middle = image.mid()
-            image = middle - f.value(middle) / slope
-            image = onto(image) if onto else image
-        reached = _accuracy(image, least)
+        try:
+            with precision(known + guard):
+                slope = f.slope(image)
+            with precision(target + guard):
+                middle = image.mid()
+                ahead = middle - f.value(middle) / slope
+                ahead = onto(ahead) if onto else ahead
+            reached = _accuracy(ahead, least)
+        except PrecisionError:  # f itself loses what it is made of
+            guard, loss = 2 * guard, 2 * loss
+            if guard > _MOST_GUARD:
+                raise
+            continue
+        image = ahead
         if reached < target:
             guard, loss = guard + target - reached, loss + target - reached
             if guard > _MOST_GUARD:

@@ -24,6 +24,11 @@ class _Asked:
     listening = False  # work inside other work leaves it to the outer one
 
 
+def asked_to_end() -> bool:
+    """Whether Ctrl-C was pressed while it was listened for."""
+    return _Asked.yes
+
+
 def end_if_asked() -> None:
     """EffortError where Ctrl-C was pressed."""
     if _Asked.yes:

@@ -12,10 +12,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.numbers.arrays import Reals, Truths
-from mpsolve.ranges.judge import Judge
-
-NOT_ASKED = 6
-"""Kind of a leaf at which nothing is asked."""
+from mpsolve.ranges.judge import NOT_ASKED, Judge
 
 
 @dataclass(frozen=True)

@@ -30,13 +30,9 @@ from mpsolve.problem.family import Family
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.proof.vanishing import nonzero, scalar
-from mpsolve.ranges.judge import OUTSIDE, Judge
+from mpsolve.ranges.judge import CORNER, OUTSIDE, Judge
 from mpsolve.ranges.mirrored import beside_zero
 from mpsolve.ranges.scope import Scope
-
-CORNER = 5
-"""A kind of leaf: next to q = 0. OUTSIDE are masses below the least one."""
-
 
 ONLY_MASSES = (
     "has no upper end: only a factor of all masses, such as scale.mass, may grow without end, as its limit is that "
@@ -93,7 +89,9 @@ def _rows(
 
 @dataclass
 class HeavyJudge(Judge):
-    """Judges boxes of one chart in (q̂, w or y). least: the least x̂ in question; quick: the chart."""
+    """Judges boxes of one chart in (q̂, w or y). least: the least x̂ in question, below which boxes are OUTSIDE; quick:
+    the chart.
+    """
 
     least: float = 1.0
     quick: bool = True

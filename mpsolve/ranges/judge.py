@@ -3,7 +3,7 @@
 Kinds of leaves: the determinant does not vanish; the contacts are passive, so that no passive vehicle has a real
 root, as cells of wavenumber tell or the receptance itself, which takes a verifier least; the box lies where the
 only real root has been enclosed, or outside of what is asked; or, in charts, its real roots are a part of one arc
-(`arcs`).
+(`arcs`). Masses without end have corners next to q = 0 (`heavy`), lines of questions what is not asked (`asked`).
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from mpsolve.proof.definite import positive_definite
 from mpsolve.proof.sheared import upright
 from mpsolve.proof.vanishing import Scalar, Verdict, guess, nonzero, one_at_most, scalar
 
-NONZERO, PASSIVE, ABSORBING, KNOWN, OUTSIDE, ARC = range(1, 7)
+NONZERO, PASSIVE, ABSORBING, KNOWN, OUTSIDE, ARC, CORNER, NOT_ASKED = range(1, 9)
 _SHARES = 2.0 ** -np.arange(0.0, 21.0, 1.5)  # of the size of a box round a zero that are tried, side by side
 _SMALL = 2.0**-6  # of the whole: boxes in which zeros are looked for in any case
 _TRIED = 8  # of a batch

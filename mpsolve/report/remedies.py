@@ -16,6 +16,7 @@ _COMMAND = (
         "declare the branch cuts, as in cuts=[Cut.ray(origin, direction)]",
         "declare the branch cuts, each with --cut RE IM DRE DIM",
     ),
+    ('or for ("below", h) give h up to', "or give --region below=H with H up to"),
     ("give h up to", "give --region below=H with H up to"),
     ("or for more digits", "or more --digits"),
     ("ask for more digits", "ask for more --digits"),

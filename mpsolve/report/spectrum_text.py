@@ -18,7 +18,7 @@ from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.warned import titled
 from mpsolve.report.blocks import Columns, Document, Line, Section, certificate_words
-from mpsolve.report.spectrum_words import ASSUMED, Units, proved, units_of, verdict, verified
+from mpsolve.report.spectrum_words import ASSUMED, Units, proved, units_of, verdict, verified_briefly
 from mpsolve.report.vibration import Trend, Vibration, vibrations
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.tracks.waveguide import Track
@@ -45,8 +45,8 @@ def spectrum_document(
         roots = Columns(_roots(motions, spectrum.digits))
         blocks.append(Section(f"Roots q in {units_of(spectrum).q}, certified digits", roots))
     blocks.append(Section("Proved", "\n".join(proved(spectrum) or ("Nothing yet.",))))
-    if verified(spectrum):
-        blocks.append(Section("Verified", verified(spectrum)))
+    if verified_briefly(spectrum):
+        blocks.append(Section("Verified", verified_briefly(spectrum)))
     blocks.append(Section("Assumed, not proved", ASSUMED))
     ratios = paper_rows(spectrum.problem)
     if ratios:

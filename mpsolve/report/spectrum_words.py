@@ -20,6 +20,8 @@ ASSUMED = (
     "velocity and never leave it. The software: Python, and FLINT's ball arithmetic."
 )
 _PLACES = 8
+_LONG = 130
+"""Letters of a matrix that is read with ease."""
 
 
 @frozen
@@ -95,6 +97,16 @@ def verified(spectrum: Spectrum) -> str:
     if spectrum.status is Status.UNVERIFIED:
         return "Proved, not verified: the certificate was not checked."
     return f"The standalone verifier confirms: {spectrum.verified}." if spectrum.verified else ""
+
+
+def verified_briefly(spectrum: Spectrum) -> str:
+    """The same for people: a matrix of many bodies by its size, as `mpsolve verify` prints it."""
+    return "\n".join(
+        f"{line.partition('=')[0]}= … ({line.count('], [') + 1} rows, printed by mpsolve verify)"
+        if "= [[" in line and len(line) > _LONG
+        else line
+        for line in verified(spectrum).split("\n")
+    )
 
 
 def at_velocity(spectrum: Spectrum) -> str:

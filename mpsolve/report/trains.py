@@ -4,43 +4,52 @@ from __future__ import annotations
 
 import json
 import math
+from fractions import Fraction
 from typing import Any
 
 from mpsolve.endless.amplification import Amplification, Peak
 from mpsolve.endless.axis import Gain
 from mpsolve.endless.infinite_train import InfiniteTrain
 from mpsolve.numbers.decimals import outward
+from mpsolve.numbers.spoken import rounded, spoken
 
 
-def train_text(title: str, found: InfiniteTrain, ratios: Amplification | None, count: int) -> str:
-    """Some plain lines."""
+def train_text(title: str, found: InfiniteTrain, ratios: Amplification | None, count: int, si: bool) -> str:
+    """Some plain lines; si: whether the problem is in SI, or in the paper's ratios."""
     lines = [title] if title else []
-    lines.append(f"endless train, v = {found.problem.v}, spacing {found.spacing}: {found.status.value}")
+    v, spacing = Fraction(found.problem.v), Fraction(found.spacing)
+    row = f"v = {spoken(v, 'm/s')}, spacing {rounded(spacing)} m" if si else f"v = {v}, spacing {spacing}"
+    lines.append(f"endless train, {row}: {found.status.value}")
     lines.append(f"  {found.words}")
     if found.motion is not None:
         q = complex(found.motion.q)
-        lines.append(f"  a motion that grows: q = {q.real:.10g} {q.imag:+.10g} i, kappa d = {found.motion.theta!r}")
+        stated = f"q = {q.real:.10g} {q.imag:+.10g} i{' rad/s' * si}, kappa d = {found.motion.theta!r}"
+        lines.append(f"  a motion that grows: {stated}")
     for name, gain in (("ahead", found.ahead), ("back", found.back)):
-        lines.append(
-            f"  from each vehicle to the next, {name}: at most a factor {gain.factor:.6g} at {gain.q:.6g} (computed)"
-        )
+        stated = f"at most a factor {gain.factor:.6g} at {_frequency(gain.q, si)} (computed)"
+        lines.append(f"  from each vehicle to the next, {name}: {stated}")
     if ratios is not None:
         state = {True: "stable", False: "unstable", None: "not decided"}[ratios.stable]
         lines.append(f"train of {count}: {state}")
         for name, peak in (("ahead", ratios.ahead), ("back", ratios.back)):
             if peak is not None:
-                lines.append(f"  last force over first, {name}: {_bounds(peak)}")
+                lines.append(f"  last force over first, {name}: {_bounds(peak, si)}")
         if ratios.reason is not None:
             lines.append(f"  {ratios.reason}")
     return "\n".join(lines) + "\n"
 
 
-def _bounds(peak: Peak) -> str:
+def _frequency(omega: float, si: bool) -> str:
+    return f"{omega / math.tau:.6g} Hz" if si else f"{omega:.6g}"
+
+
+def _bounds(peak: Peak, si: bool) -> str:
     """What is proved of the largest ratio."""
+    near = f"near {_frequency(peak.omega, si)}"
     low = outward(peak.low, 6, up=False)
     if not math.isfinite(peak.high):
-        return f"{low} or more, near {peak.omega:.6g}; no upper bound is known yet"
-    return f"at most between {low} and {outward(peak.high, 6, up=True)}, near {peak.omega:.6g}"
+        return f"{low} or more, {near}; no upper bound is known yet"
+    return f"at most between {low} and {outward(peak.high, 6, up=True)}, {near}"
 
 
 def train_json(title: str, found: InfiniteTrain, ratios: Amplification | None, count: int) -> str:

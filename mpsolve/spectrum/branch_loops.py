@@ -127,7 +127,7 @@ def find_loop(line: Line, paths: Paths, point: BranchPoint, effort: Effort) -> L
     """The largest loop of a ladder round the branch point; PrecisionError where none is proved."""
     sites = len(line.lower.places)
     turns, poles = (4, 4 if sites > 1 else 3) if point.multiplicity > 2 else (2, min(point.multiplicity, sites))
-    near = about(paths, point.exact, point.pole)
+    near = about(paths.arrays.reduced, point.exact, point.pole)
     linked = not line.height and not line.joined  # real roots may lie in the gap
     for sides in (_SIDES[:_FEW], _SIDES[_FEW:]):  # more of them are tried where no smaller loop will do
         for ratio in _RATIOS:

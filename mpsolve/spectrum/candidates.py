@@ -8,6 +8,7 @@ many roots are found as were counted.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -70,39 +71,43 @@ def find_roots(
     hints: Any,
     weight: Weight = both,
     on_the_way: Callable[[], None] | None = None,
+    known: Any = (),
+    later: Callable[[], Any] | None = None,
 ) -> Any:
-    """Approximate roots q̂ in the areas, up to `count` with their mirrors; all that were found.
+    """Approximate roots q̂ in the areas beside those `known`, up to `count` with their mirrors; all that were found.
 
     on_the_way: called before every step; it may raise what ends the search.
-    hints: points that are dense where Δ̂ turns fast, as those of a contour: tried before any grid.
+    hints: points that are dense where Δ̂ turns fast, as those of a contour: tried before any grid. later: more of
+    them, that are asked for where those do not lead to all.
     """
     function = Floats(reduced)
-    found = np.zeros(0, complex)
+    found, before = np.array(known, complex), len(known)
 
     def all_found(roots: Any) -> bool:
         if on_the_way is not None:
             on_the_way()
-        return sum(weight(q) for q in roots.tolist() if any(area.counts(q) for area in areas)) >= count
+        new = [q for q in roots[before:].tolist() if any(area.counts(q) for area in areas)]
+        return sum(map(weight, new)) >= count
 
     few = count <= _FEW
     for level, steps in enumerate(_SHORT if few else (_STEPS,) * len(_SHORT)):
         landed = _best(function, hints if level < 2 else _spread(hints), np.inf, len(hints))
         for area in areas if level or few else areas[:1]:
             if all_found(found):
-                return found
+                return found[before:]
             starts = landed[area.holds(landed, (_AROUND if level else _ON_LINE) * area.size)]
             starts = starts[: 8 * count + 20 if level else 2 * count + 8]
             found = _newton(function, area, starts, found, all_found, steps)
-    for level in range(5):
+    more: Callable[[], Any] = cache(later) if later is not None else lambda: hints[:0]
+    ways: list[Callable[[Area], Any]] = [lambda _: more()]
+    ways += [partial(_starts, function, level) for level in range(5)]
+    ways += [_towards_zero, lambda _: hints]  # rare: a heavy mass; many roots, some far from the others
+    for starts_in in ways:
         for area in areas:
             if all_found(found):
-                return found
-            found = _newton(function, area, _starts(function, area, level), found, all_found)
-    for starts in (_towards_zero, lambda _: hints):  # rare: a heavy mass; many roots, some far from the others
-        for area in areas:
-            if not all_found(found):
-                found = _newton(function, area, starts(area), found, all_found)
-    return found
+                return found[before:]
+            found = _newton(function, area, starts_in(area), found, all_found)
+    return found[before:]
 
 
 def _towards_zero(area: Area) -> Any:
@@ -118,7 +123,7 @@ def search(reduced: Reduced, area: Area, hints: Any, levels: int = 2) -> Any:
     if len(hints):
         found = _newton(function, area, np.asarray(hints, complex), found)
     for level in range(levels):
-        found = _newton(function, area, _starts(function, area, level), found)
+        found = _newton(function, area, _starts(function, level, area), found)
     return found
 
 
@@ -144,7 +149,7 @@ def nearest_root(reduced: Reduced, q: complex) -> complex | None:
     return None
 
 
-def _starts(function: Floats, area: Area, level: int) -> Any:
+def _starts(function: Floats, level: int, area: Area) -> Any:
     """Grid points whose Newton step is of the size of the grid, shortest first; rows lie denser near the line."""
     n, m = 24 * 2**level, 8 * 2**level
     x = np.linspace(area.re_min, area.re_max, n + 1)

@@ -20,6 +20,7 @@ from mpsolve.characteristic.paths import Paths
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import UP, U
+from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.cover import OpenPieceError
 from mpsolve.proof.effort import Effort
 
@@ -59,10 +60,10 @@ class Ways:
         return len(self.before) + len(self.behind) - 2
 
 
-def about(paths: Paths, z: Fraction, pole: complex | None) -> LocalArrays:
+def about(reduced: Reduced, z: Fraction, pole: complex | None) -> LocalArrays:
     """The same problem about the branch point z, and about the pair of p-roots that meets there."""
     z = Fraction(z.numerator * _SHORT // z.denominator, _SHORT)
-    return LocalArrays(paths.arrays.reduced, z, Fraction(pole.imag) if pole is not None else Fraction(0))
+    return LocalArrays(reduced, z, Fraction(pole.imag) if pole is not None else Fraction(0))
 
 
 def ways_to(paths: Paths, near: LocalArrays, radius: float, reach: float, linked: bool, effort: Effort) -> Ways:

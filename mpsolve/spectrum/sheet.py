@@ -3,7 +3,8 @@
 z = q − iη, scaled. The lower half is counted along the lower edge of the cut: from a point in the gap (or 0, where
 the cuts are joined) below the branch points to ρ, and down and back to −iρ: a theorem leaves no root outside. In the
 upper half vehicle and track are passive where |z| is large, so that pivots tell the argument at one point, and Δ̂ is
-followed to there. A loop round each branch point shows that no root is next to it.
+followed to there. A loop round each branch point shows that no root is next to it; of loads that stand still a
+variable without branch points does (`edge_at_rest`).
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ from mpsolve.proof.effort import Effort
 from mpsolve.proof.winding import number_of_zeros
 from mpsolve.spectrum.branch_loops import Loop, edge_points, find_loop
 from mpsolve.spectrum.closing import pivot_sum
+from mpsolve.spectrum.edge_at_rest import Rest, past_branch_points
 from mpsolve.spectrum.far_line import FarLine, prove_far
 from mpsolve.spectrum.regions import Sheet
 
@@ -52,6 +54,7 @@ class SheetCount:
 
     lower: from `begin` round the lower half; upper: from the same point to `end`, where it closes, or nothing where
     the two are one. far: None without damping: then the halves are mirror images, and `lower` leads to `end`.
+    rest: of loads that stand still, the way on both halves from the gap to `begin`, beyond the branch points.
     """
 
     line: Line
@@ -63,11 +66,21 @@ class SheetCount:
     upper: Half
     far: FarLine | None
     evaluations: int
+    rest: Rest | None = None
 
     @property
     def begins(self) -> Fraction:
         """Where Δ̂ begins to be followed, exactly: between `begin` and the first branch point at the latest."""
+        if self.rest is not None:
+            return self.rest.z[0]
         return self.lower.loops[0].begin if self.begin else Fraction(0)
+
+    @property
+    def first(self) -> float:
+        """A little before the first branch point, or 0."""
+        if self.rest is not None:
+            return float(self.rest.z[0]) * (1 - 2.0**-10)
+        return self.lower.loops[0].first if self.lower.loops else 0.0
 
     @property
     def region(self) -> Sheet:
@@ -80,7 +93,7 @@ class SheetCount:
 
     @property
     def pieces(self) -> int:
-        return self.lower.pieces + self.upper.pieces
+        return self.lower.pieces + self.upper.pieces + (self.rest.pieces if self.rest is not None else 0)
 
 
 def count_sheet(line: Line, effort: Effort, room: float = ROOM) -> SheetCount:
@@ -95,6 +108,13 @@ def count_sheet(line: Line, effort: Effort, room: float = ROOM) -> SheetCount:
     first = start(line.lower.guide)
     below, above = (Paths(Arrays(half), first, room) for half in (line.lower, line.upper))
     far = prove_far(line) if line.height else None
+    rest = _rest(line, effort, room)
+    if rest is not None:
+        at = float(rest.z[-1])
+        way = _way(line, at, far.reach if far else at, [], far is not None)
+        along = _proved(below, first, way, [], effort)
+        total = _total(line, first, at, [*along.turns, *rest.turns])
+        return SheetCount(line, total, first, at, at, Half(along.paths), Half(), far, effort.spent, rest)
     end = _passive_end(line)
     points = edge_points(line)
     inner = [point for point in points if point.z < end] if joined else points[:1]  # up to where a half closes
@@ -110,15 +130,32 @@ def count_sheet(line: Line, effort: Effort, room: float = ROOM) -> SheetCount:
         _proved(paths, first, way, loops, effort)
         for paths, way, loops in zip((below, above), ways, rounds, strict=False)
     ]
-    with precision(64):
-        closing = pivot_sum(line.upper, first.up, end) + (line.upper.bodies - line.upper.contacts) * arb.pi() / 2
-        turns = [turn for one in proved for turn in one.turns]
-        turns += [loop.half for loops in rounds[: len(proved)] for loop in loops]
-        turned = sum((arb(*turn) for turn in turns), arb(0))
-        total = number_of_zeros((closing - turned) / arb.pi() * (1 if far else 2), "the characteristic function")
+    turns = [turn for one in proved for turn in one.turns]
+    turns += [loop.half for loops in rounds[: len(proved)] for loop in loops]
+    total = _total(line, first, end, turns)
     lower = Half(proved[0].paths, tuple(round_below))
     upper = Half(proved[1].paths, tuple(round_above)) if len(proved) > 1 else Half()
     return SheetCount(line, total, first, begin, end, lower, upper, far, effort.spent)
+
+
+def _rest(line: Line, effort: Effort, room: float) -> Rest | None:
+    """The way past the branch points under loads that stand still, where one is found."""
+    if line.lower.guide.v:
+        return None
+    try:
+        return past_branch_points(line, effort, room)
+    except PrecisionError:
+        return None
+
+
+def _total(line: Line, first: Start, end: float, turns: list[tuple[float, float]]) -> int:
+    """The number of roots from all turns of arg Δ̂, where both halves close at `end`."""
+    with precision(64):
+        closing = pivot_sum(line.upper, first.up, end) + (line.upper.bodies - line.upper.contacts) * arb.pi() / 2
+        turned = sum((arb(*turn) for turn in turns), arb(0))
+        return number_of_zeros(
+            (closing - turned) / arb.pi() * (1 if line.height else 2), "the characteristic function"
+        )
 
 
 def _passive_end(line: Line) -> float:

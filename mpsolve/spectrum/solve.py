@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from contextlib import nullcontext
 from dataclasses import field
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -24,7 +25,7 @@ from mpsolve.spectrum.candidates import find_roots
 from mpsolve.spectrum.count import Count, count_roots
 from mpsolve.spectrum.enclose import enclose
 from mpsolve.spectrum.multiple import separate
-from mpsolve.spectrum.near_roots import near_branch_points
+from mpsolve.spectrum.near_roots import beside_branch_points, near_branch_points
 from mpsolve.spectrum.partial import Partial
 from mpsolve.spectrum.reasons import reason_of, sheet_reason
 from mpsolve.spectrum.regions import Answered, HalfPlane, Rectangle, Region, Sheet
@@ -92,6 +93,8 @@ def _solve(
 _FEWER = "ask for a Rectangle round those that matter: where fewer are counted, all are found"
 _SHARPER = (2, 4)
 """Times the digits that were asked for, where a sign of Im q is open."""
+_CLOSER = (1, 2, 3, 4)
+"""The same, of roots next to a branch point."""
 _FEW = 4
 _NEAR = 15 / 16  # of the height of the lowest cut: most vibrations that decay slowly lie below it
 
@@ -138,12 +141,17 @@ def _enclosed(
     for sigma in near_branch_points(count) if isinstance(count, SheetCount) else []:
         tell("roots", 0.5)
         # a ball of so many digits of |q| may meet the cut, where the root is next to it
-        for ball in _balls(proved, sigma, digits) or _balls(proved, sigma, 2 * digits):
+        found = (_balls(proved, sigma, more * digits) for more in _CLOSER)
+        for ball in next(filter(None, found), []):
             _add(balls, ball, count.region, proved.lossless)
     left = count.total - sum(ball.multiplicity for ball in balls)
     if not left:
         return tuple(balls)
-    seeds = find_roots(reduced, areas_of(reduced, count), left, hints, weight, lambda: tell("roots", 0.5))
+    unit = float(reduced.frequency_unit)
+    known = [q for q in (complex(ball.q.mid()) / unit for ball in balls) if q.real >= 0]
+    later = partial(beside_branch_points, count) if isinstance(count, SheetCount) else None
+    areas = areas_of(reduced, count)
+    seeds = find_roots(reduced, areas, left, hints, weight, lambda: tell("roots", 0.5), known, later)
     for k, q in enumerate(seeds.tolist()):
         for ball in _balls(proved, 1j * q, digits):
             _add(balls, ball, count.region, proved.lossless)

@@ -60,7 +60,7 @@ def hints_of(reduced: Reduced, count: Count | SheetCount) -> Any:
         halves = (count.lower, count.upper)
         rings = [loop.places for half in halves for loop in half.loops]
         turns = [path.points for half in halves for path in half.paths if path.kind == "turn"]
-        slow = count.lower.loops[0].first * _SLOW if count.lower.loops else np.zeros(0)
+        slow = count.first * _SLOW
         points = np.concatenate([*turns, *rings, slow])
         near = points[np.abs(points) < max(16.0, 4 * count.end)]
         both_halves = near if _none_above(count) else np.concatenate([near, near.conj()])

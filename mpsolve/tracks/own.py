@@ -20,6 +20,10 @@ class Waveguide(waveguide.Waveguide):
     Fraction(2, 1)
     """
 
+    def __repr__(self) -> str:
+        rows = [[_written(entry) for entry in row] for row in self.matrix]
+        return f"Waveguide({rows}, loaded={self.loaded})"
+
     def __init__(self, matrix: Any, loaded: int = 0) -> None:
         from mpsolve.tracks.at_rest import Status, at_rest
         from mpsolve.tracks.from_sympy import exact_matrix
@@ -38,3 +42,15 @@ class Waveguide(waveguide.Waveguide):
             p, omega = energy.witness
             raise InputError("matrix", f"is not passive: it gives energy to a force near p = {p:.4g}, "
                              f"Omega = {omega:.4g}; check the signs of its entries")  # fmt: skip
+
+
+def _written(entry: waveguide.Polynomial) -> str:
+    """A polynomial in P = ip and s = iΩ, in p and Omega again: P^i s^j is i^(i+j) p^i Ω^j."""
+    terms = []
+    for (i, j), value in sorted(entry.items(), reverse=True):
+        number = -value if (i + j) % 4 > 1 else value
+        factors = [str(abs(number)), "I" * ((i + j) % 2), "p" * bool(i) + f"**{i}" * (i > 1)]
+        factors.append("Omega" * bool(j) + f"**{j}" * (j > 1))
+        terms.append(("-" if number < 0 else "+") + " " + "*".join(filter(None, factors)))
+    text = " ".join(terms) or "0"
+    return text.removeprefix("+ ")

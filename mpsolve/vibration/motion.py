@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import EffortError
+from mpsolve.numbers.tabled import Tabled
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 from mpsolve.vibration.image import Image
@@ -44,7 +45,7 @@ class InducedPart:
 
 
 @dataclass(frozen=True)
-class Vibration:
+class Vibration(Tabled):
     """The motion of a problem: float64, errors estimated, not proved; lengths down, forces and times in its units.
 
     times (t,). places (p,). rail (p, t): deflections under places of the moving frame, the sum of `steady` (with its
@@ -67,6 +68,21 @@ class Vibration:
     error: MotionError
     solution: Solution = field(repr=False)
     solve: Callable[[Any], Solution] = field(repr=False, compare=False)
+
+    def records(self) -> Iterator[Mapping[str, Any]]:
+        """A row for each time: the rail under each place, and the force of each contact."""
+        names = [f"rail at {place:g}" for place in self.places]
+        names += [f"contact force {j}" for j in range(1, len(self.contact_force) + 1)]
+        rows = np.concatenate([self.rail, self.contact_force]).T.tolist()
+        return (
+            {"t": t} | dict(zip(names, row, strict=True)) for t, row in zip(self.times.tolist(), rows, strict=True)
+        )
+
+    def _headline(self) -> str:
+        size, off = (float(np.nanmax(np.abs(x), initial=0.0)) for x in (self.rail, self.error.rail))
+        stated = f"largest deflection of the rail {size:.6g}, estimated error {off:.1e}"
+        note = "" if self.reason is None else f": {self.reason}"
+        return f"Vibration at {len(self.times)} times: {stated}; float64, not proved{note}"
 
     @cached_property
     def lift_off(self) -> Event | None:

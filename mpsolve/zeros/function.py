@@ -104,7 +104,10 @@ class ExpressionFunction(_Slopes):
         own = self._evaluator
         with precision(_REAL_BITS):
             known = own.constants()
-        cut = [known[s[1]] for s, depends in zip(own.steps, own.depends, strict=True) if s[0] in CUT and not depends]
+        named = (
+            known[s[1]] for s, depends in zip(own.steps, own.depends, strict=True) if s[0] in CUT and not depends
+        )
+        cut = [w for w in named if w is not None]
         return all(step[0] != "i" for step in own.steps) and all(w.real > 0 or w == 0 for w in cut)
 
     @cached_property

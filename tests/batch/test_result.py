@@ -27,6 +27,17 @@ def test_columns_and_what_is_not_told() -> None:
     }  # fmt: skip
 
 
+def test_it_prints_a_row_for_each_entry() -> None:
+    headline, names, first, second = str(made("unstable", None)).splitlines()
+    assert headline == (
+        "Frequencies of 2 entries, shape (2,): 1 of them with roots in Im q < 0, 1 not told; float64, not proved"
+    )
+    assert (names.split(), first.split(), second.split()) == (
+        ["v", "status", "reason", "count"], ["1", "ok", "2"], ["2", "unresolved", "why"]
+    )  # fmt: skip
+    assert "<td>unresolved</td>" in made("unstable", None)._repr_html_()
+
+
 def test_without_roots_only_the_half_plane_tells_what_grows() -> None:
     assert made("unstable", None).unstable.tolist() == [2, -1]
     with pytest.raises(InputError, match="were not asked for"):

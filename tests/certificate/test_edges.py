@@ -7,7 +7,8 @@ from typing import Any
 import pytest
 
 from mpsolve import Case, Effort, InputError, PhysicalCase, Rectangle, Spectrum, Status, certify
-from mpsolve.spectrum.regions import Below, HalfPlane
+from mpsolve.errors import PrecisionError
+from mpsolve.spectrum.regions import Below, HalfPlane, Sheet
 
 BEAM: dict[str, Any] = {"EI": "6.4e6", "m": 60, "k": "1e6", "c": 770}
 PAIR = [(10_000, 0), (10_000, "3.4")]
@@ -65,7 +66,14 @@ def test_in_si(changed: dict[str, Any], region: Any, unstable: int) -> None:
     assert proved(PhysicalCase(**{**BEAM, **changed}), region).unstable == unstable
 
 
-def test_what_is_left_out_where_the_whole_sheet_stays_open() -> None:
+def test_what_is_left_out_where_the_whole_sheet_stays_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = proved(AT_REST_FOUR)
+    assert (whole.region, whole.count) == (Sheet(), 6)
+
+    def stays_open(*_: Any) -> None:
+        raise PrecisionError("open")
+
+    monkeypatch.setattr("mpsolve.spectrum.solve.count_sheet", stays_open)
     found = proved(AT_REST_FOUR)
     assert isinstance(found.region, Below)
     assert "left out" in found.note

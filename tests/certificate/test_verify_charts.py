@@ -280,3 +280,34 @@ def test_a_form_over_a_part_is_the_same_function() -> None:
             value = one.k[0][0] + sum(one.k[1 + i][0] * x for i, x in enumerate(at))
             values.append(value + sum(one.k[n][0] * at[i - 1] * at[j - 1] for n, i, j in one.second))
         assert abs(values[0] - values[1]) < 1e-12
+
+
+def test_boxes_along_a_slope_over_two_parameters_hold_what_numpy_finds() -> None:
+    """G at points of parallelepipeds q = t + slope·v: a tree may lay boxes of a chart along a slope, too."""
+    box = tuple((fmpq(*map(int, Fraction(a).as_integer_ratio())), fmpq(b)) for a, b in ((1.25, 2), (0.25, 1)))
+    read = checker.spectra
+    track = read.read_track(CONTENT["equations"]["track"], CONTENT["equations"]["velocity"], box)
+    waves = checker.Waves(track, read.read_bodies(CONTENT["equations"]["vehicle"], None, box, 24, 12), box)
+    low, high = (0.2, 1.3, 0.375), (0.25, 1.375, 0.4375)
+    middle, half = (np.array(high) + low) / 2, (np.array(high) - low) / 2
+    here = tuple((fmpq(*a.as_integer_ratio()), fmpq(*b.as_integer_ratio())) for a, b in zip(low, high, strict=True))
+    for slope in (-0.125, 0.5):
+        with read.precision(64):
+            form = checker.kernels_over(waves, checker.place_of(here, fmpq(*slope.as_integer_ratio())), False)
+        assert form.e[0] < 0.05 * abs(form.k[0][0])
+        for u in ((1, 1, 1), (-1, 1, -1), (1, -1, 1), (0.3, -0.7, 0.5)):
+            t, v, c = middle + half * u
+            s = 1j * (t + slope * v)
+            d = np.array([0.25, 0, v * v, -v * (2 * s + c), s * s + c * s + 1])
+            roots = np.roots(d)
+            own = roots[roots.real < 0]
+            got = form.k[0][0] + sum(form.k[1 + i][0] * u[i] for i in range(3))
+            got = got + sum(form.k[n][0] * (u[i - 1] * u[j - 1]) for n, i, j in form.second)
+            assert abs(got - complex((1 / np.polyval(np.polyder(d), own)).sum())) < form.e[0] + 1e-9
+
+
+def test_a_chart_of_two_leaves_beside_is_refused() -> None:
+    """Along any slope they hold frequencies in question."""
+    verdict = verify_bytes(sealed(CONTENT | {"tree": "s-1e3;bb"}), 60)
+    assert not verdict.valid
+    assert "beside" in verdict.reason

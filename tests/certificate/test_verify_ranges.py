@@ -404,7 +404,7 @@ def test_roots_alone_are_those_of_numpy(family: checker.Family, monkeypatch: pyt
                     assert not away > G.e[n] + abs(G.k[0][n]) * 1e-9
         few = checker.spectra.Nodes(nodes.z, nodes.up - 1, nodes.local)
         assert checker.alone(few, range(4), False) is None  # a root on the other side than is told
-        monkeypatch.setattr(checker, "radius_of", lambda *_: None)
+        monkeypatch.setattr(checker, "nodes_apart", lambda *_: False)
         assert checker.alone(nodes, range(4), False) is None
 
 
@@ -454,12 +454,15 @@ def test_no_root_is_alone_where_two_meet(content: dict[str, Any]) -> None:
 def test_a_radius_holds_what_it_must() -> None:
     """base + ε² ≤ ε has solutions up to base = 1/4."""
     with precision(64):
-        square = checker.arb_poly([0, 0, 1])
+        alone = checker.spectra.alone
         for base in ("0.01", "0.1", "0.2"):
-            found = checker.radius_of(arb(base), square)
+            found = alone([2 * arb(base), arb(0), arb(2)], arb(2))
             assert (1 - (1 - 4 * arb(base)).sqrt()) / 2 <= found
             assert found < 2 * arb(base)
-        assert checker.radius_of(arb("0.3"), square) is None
+        with pytest.raises(checker.Refused, match="told apart"):
+            alone([arb("0.3"), arb(0), arb(1)], arb(1))
+        with pytest.raises(checker.Refused, match="meet"):
+            alone([arb("0.1"), arb(0), arb(1)], arb(0, 1))
 
 
 @pytest.mark.parametrize("slope", [fmpq(0), fmpq(5, 2), fmpq(6)])

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
+import numpy as np
 import pytest
 
 from mpsolve import Effort, InputError, Problem, Status, certify, tracks, vehicles
@@ -76,8 +77,18 @@ def test_other_vehicles() -> None:
     damped = vehicles.Oscillator(wheel=1, body=20, k=2, c=1)
     with pytest.raises(InputError, match="the vehicle has dampers"):
         certify(Problem(tracks.EulerBernoulli(**PAPER), [damped], v="0.5"), region="sheet")
-    with pytest.raises(InputError, match="whose cuts lie on one line"):
+    with pytest.raises(InputError, match="a closed curve"):
         certify(Problem(tracks.EulerBernoulli(**PAPER, c=3), [vehicles.Mass(1)], v="0.5"), region="sheet")
+
+
+@pytest.mark.parametrize("region", ["unstable", "sheet", None])
+def test_dampers_on_an_undamped_beam_are_refused_with_what_is_decided(region: object) -> None:
+    damped = vehicles.Oscillator(wheel=30, body=20, k=1, c="0.3")
+    problem = Problem(tracks.EulerBernoulli(**PAPER), damped, v="1.2")
+    with pytest.raises(InputError, match=r"the vehicle has dampers, .* Rectangle with im_max < 0"):
+        certify_problem(problem, region=region)
+    found = certify_problem(problem, region=Rectangle(-1, 1, -1, "-0.001"), digits=15)
+    assert (found.status, found.unstable) == (Status.PROVED, 4)
 
 
 def test_masses_at_one_place_are_one() -> None:
@@ -116,6 +127,34 @@ def test_rectangles_beside_the_cuts(c: str, v: str, box: tuple[str, ...], count:
         return
     forged["theorem"]["half"] = "upper" if forged["theorem"]["half"] == "lower" else "lower"
     assert not judged(forged).valid
+
+
+@pytest.mark.parametrize(
+    ("c", "N", "words", "height"),
+    [
+        ("2.4", "0", "closed curve down to Im q = 0.536675", "0.53667"),
+        ("1.8", "0.8", "closed curve down to Im q = 0.229179", "0.22917"),
+        ("2", "0", "damped exactly critically", "0.99999"),
+    ],
+)
+def test_waves_that_do_not_vibrate_leave_no_two_sides(c: str, N: str, words: str, height: str) -> None:
+    """The refusal names the curve that they are cut along, and what is proved instead."""
+    problem = Problem(tracks.EulerBernoulli(**PAPER, c=c, N=N), [vehicles.Mass(5)], v="0.5")
+    with pytest.raises(InputError, match=words) as refused:
+        certify(problem, region="sheet")
+    assert f'ask for "unstable", or for ("below", h) give h up to {height}' in str(refused.value)
+    assert certify(problem, region=("below", float(height) * 0.9), digits=15).proved
+    assert certify(problem, region="unstable", digits=15).stable
+
+
+@pytest.mark.parametrize(("eta", "N", "z"), [(1.2, 0.0, 0.1), (0.9, 0.8, 0.55)])
+def test_inside_that_curve_other_numbers_of_waves_run_ahead(eta: float, N: float, z: complex) -> None:
+    def ahead(z: complex, v: float = 0.5) -> int:
+        q = np.array([-v, z + 1j * eta])  # Ω over p
+        D = np.polyadd(np.polyadd([0.25, 0, -N, 0, 1], -np.polymul(q, q)), 2j * eta * q)
+        return int((np.roots(D).imag > 0).sum())
+
+    assert [ahead(z + 0.2j), ahead(z - 0.2j), ahead(z + 3j), ahead(z - 3j)] == [1, 3, 2, 2]
 
 
 def test_a_rectangle_across_a_cut_is_refused() -> None:

@@ -125,15 +125,3 @@ def test_print_shows_the_answer() -> None:
     assert f"{spectrum.roots[0].q.real.mid().str(8, radius=False)}" in str(spectrum)
     assert "1.4142136" in str(ANSWERS["Zeros"]())
     assert len(str(ANSWERS["CriticalVelocities"]()).splitlines()) == 3
-
-
-@dataclass(frozen=True)
-class Long(Made):
-    def records(self) -> list[Mapping[str, Any]]:
-        return [{"row": k} for k in range(250)]
-
-
-def test_a_long_table_is_cut() -> None:
-    for shown in (str(Long(Status.PROVED, 1)), Long(Status.PROVED, 1)._repr_html_()):
-        assert "and 150 more rows" in shown
-        assert "149" not in shown

@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+import os
+import signal
+import time
 from collections.abc import Callable
+from typing import Any
+
+import pytest
 
 from mpsolve.errors import InputError
-from mpsolve.page.budget import Budget
+from mpsolve.page.budget import Budget, Part
+from mpsolve.proof.stopping import stoppable
 
 
 class Clock:
@@ -36,6 +43,23 @@ def test_parts_come_until_time_is_up() -> None:
     assert not third.there
     assert "--effort" in third.reason
     assert [stage for stage, _ in told] == ["first", "second"]
+
+
+def test_ctrl_c_ends_the_part_that_is_made_and_begins_no_other() -> None:
+    budget = Budget(100.0, lambda *_: None)
+
+    def pressed(_left: float) -> None:
+        os.kill(os.getpid(), signal.SIGINT)
+        time.sleep(5)
+
+    @stoppable
+    def parts() -> list[Part[Any]]:
+        return [budget.part("a", pressed), budget.part("b", lambda _: 1)]
+
+    assert [(part.there, part.late) for part in parts()] == [(False, True)] * 2
+    assert budget.part("c", lambda _: 1).there
+    with pytest.raises(KeyboardInterrupt):
+        budget.part("d", pressed)
 
 
 def test_an_error_of_a_part_is_its_reason() -> None:

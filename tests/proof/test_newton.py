@@ -123,3 +123,29 @@ def test_a_slope_that_cannot_be_told_is_a_smaller_box() -> None:
         found = isolated(f, polished(f, acb(1.4)), arb(1))
         assert found.box.rad() < 1e-8
         assert found.box.contains(acb(arb(2).sqrt()))
+
+
+@dataclass
+class Demanding(Sine):
+    """The same, which is not known at less than 200 bits."""
+
+    def value(self, z: Any) -> Any:
+        if bits_now() < 200:
+            raise PrecisionError("too few bits")
+        return super().value(z)
+
+
+def test_more_precision_is_tried_where_the_function_itself_asks_for_it() -> None:
+    with precision(300):
+        pi = sharpened(Demanding(), acb(arb(3.14159, 0.001), 0), 60)
+        assert pi.real.contains(arb.pi())
+        assert pi.real.rad() < 1e-17
+
+
+def test_a_function_that_is_never_known_is_given_up() -> None:
+    class Unknown(Sine):
+        def value(self, z: Any) -> Any:
+            raise PrecisionError(f"never at {z}")
+
+    with pytest.raises(PrecisionError, match="never"):
+        sharpened(Unknown(), acb(arb(3.14159, 0.001), 0), 60)

@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.ranges.asked import NOT_ASKED, Asked, AskedJudge
+from mpsolve.ranges.asked import Asked, AskedJudge
+from mpsolve.ranges.judge import NOT_ASKED
 
 ASKED = Asked(
     low=np.array([1.0, 2.0]),

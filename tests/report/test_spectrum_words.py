@@ -11,7 +11,7 @@ from reported import SPRUNG, fast, wire, without_theorem
 
 from mpsolve import Case, Rectangle, Status, certify
 from mpsolve.outcome import Reason
-from mpsolve.report.spectrum_words import DIMENSIONLESS, SI, proved, units_of, verdict, verified
+from mpsolve.report.spectrum_words import DIMENSIONLESS, SI, proved, units_of, verdict, verified, verified_briefly
 from mpsolve.spectrum.regions import HalfPlane
 
 
@@ -23,6 +23,15 @@ def test_stable() -> None:
         "None is missed: the track takes up power at all frequencies with |q| ≥ 35.7771" in said
     )  # the corner 32 − 16i
     assert "relative radius below 1e-20 that holds exactly one zero" in said
+
+
+def test_large_matrices_are_told_by_their_size() -> None:
+    matrix = str([[0] * 10] * 10)
+    long = replace(wire(), status=Status.PROVED, verified=f"exactly 2\n  M = {matrix}\n  B = [[1], [0]]")
+    assert matrix in verified(long)
+    short = "exactly 2\n  M = … (10 rows, printed by mpsolve verify)\n  B = [[1], [0]]."
+    assert verified_briefly(long) == f"The standalone verifier confirms: {short}"
+    assert verified_briefly(wire()) == verified(wire())
 
 
 def test_unstable_counts_vibrations_too() -> None:

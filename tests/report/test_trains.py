@@ -21,7 +21,7 @@ RATIOS = Amplification(ROW, BAND, Status.UNVERIFIED, True, Peak(1.23456789, 1.23
 
 
 def test_bounds_are_rounded_outward_and_an_open_one_is_named() -> None:
-    text = train_text("Row", FOUND, RATIOS, 16)
+    text = train_text("Row", FOUND, RATIOS, 16, si=False)
     assert text.startswith("Row\nendless train, v = 39/200, spacing 3/2: ")
     assert FOUND.words in text
     assert "last force over first, ahead: at most between 1.23456 and 1.2346, near 0.5" in text
@@ -29,6 +29,14 @@ def test_bounds_are_rounded_outward_and_an_open_one_is_named() -> None:
     assert "train of 16: stable" in text
     assert FOUND.motion is not None
     assert f"q = {complex(FOUND.motion.q).real:.10g}" in text
+
+
+def test_in_SI_each_number_has_its_unit() -> None:
+    text = train_text("", FOUND, RATIOS, 16, si=True)
+    assert text.startswith("endless train, v = 0.702 km/h, spacing 1.5 m: ")
+    assert f"near {0.5 / (2 * math.pi):.6g} Hz" in text
+    assert " i rad/s, kappa d" in text
+    assert text.count(" Hz") == 4
 
 
 def test_machines_get_the_same() -> None:
@@ -44,7 +52,7 @@ def test_a_reason_stands_in_both() -> None:
     why = Reason("effort", "the effort is spent", {}, "allow more")
     open_ = replace(RATIOS, status=Status.UNDECIDED, stable=None, ahead=None, back=None, reason=why)
     early = infinite_train(masses("0.18").problem, "1.5", effort=Effort(evaluations=1000))
-    text, content = train_text("", early, open_, 3), json.loads(train_json("", early, open_, 3))
+    text, content = train_text("", early, open_, 3, si=False), json.loads(train_json("", early, open_, 3))
     assert "train of 3: not decided" in text
     assert "the effort is spent" in text
     assert content["train"]["reason"]["code"] == content["reason"]["code"] == "effort"

@@ -51,7 +51,7 @@ def test_a_piece_that_ends_at_zero_must_be_short_enough() -> None:
     for paths in ([far_link, turn, *rest], [link, far_turn, *rest]):
         verdict = verify_bytes(sealed(content | {"paths": paths}))
         assert not verdict.valid
-        assert "next to q = 0" in verdict.reason
+        assert "p-roots are not told apart" in verdict.reason
 
 
 def sealed(content: dict[str, object]) -> bytes:

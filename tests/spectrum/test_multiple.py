@@ -69,7 +69,7 @@ def test_the_gap_is_that_of_the_coupling() -> None:
         zip(floats.border.distances, floats.receptance(floats_sigma(sigma), floats.border.distances)[0], strict=True)
     )
     slope = one.delta([sigma])[1][0]
-    S = complex(sum(float(c) * sigma**k for k, c in enumerate(floats.border.S[0][0])))
+    S = complex(sum(float(c) * sigma**k for k, c in enumerate(rows[0][0] for rows in proved.reduced.S)))
     (behind, ahead) = (G[x][0] for x in floats.border.distances if x)
     gap = abs(2 * S * (ahead * behind) ** 0.5 / slope / b_of(one)) * float(proved.reduced.frequency_unit)
     assert abs(abs(a - b) / gap - 1) < 1e-3
@@ -77,8 +77,7 @@ def test_the_gap_is_that_of_the_coupling() -> None:
 
 def b_of(one: Floats) -> float:
     """The determinant of one mass is −(b + S G/b)."""
-    ((_, _, b),) = one.border.direct
-    return float(b)
+    return float(one.border.direct[0].b)
 
 
 def floats_sigma(sigma: complex) -> object:

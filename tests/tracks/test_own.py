@@ -28,6 +28,7 @@ def test_the_derived_matrix_of_every_track_gives_the_track(name: str) -> None:
     values = {symbol: sp.Rational(numbers[key]) for key, symbol in vars(symbols_of(type(track))).items()}
     own = tracks.Waveguide(derived(type(track)).matrix.subs(values))
     assert own.matrix == track.waveguide.matrix
+    assert eval(repr(own), {"Waveguide": tracks.Waveguide}) == own
     assert (own.dispersion, own.numerator) == (track.waveguide.dispersion, track.waveguide.numerator)
 
 
@@ -35,6 +36,7 @@ def test_it_is_a_track() -> None:
     own = tracks.Waveguide([[BEAM]])
     assert own.dispersion == {(4, 0): Fraction(1, 4), (0, 0): 1, (0, 1): Fraction(1, 10), (0, 2): 1}
     assert own.numerator == {(0, 0): 1}
+    assert repr(own) == "Waveguide([['1/4*p**4 - 1*Omega**2 + 1/10*I*Omega + 1']], loaded=0)"
     assert Problem(own, Mass(1), v=1).track.waveguide is own
     assert hash(own) == hash(tracks.Waveguide(sp.Matrix([[BEAM]])))
     assert tracks.Waveguide([[1, 0], [0, BEAM]], loaded=1).numerator == own.numerator

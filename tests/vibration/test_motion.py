@@ -28,6 +28,15 @@ def test_the_harmonic_part_is_the_sum_of_its_frequencies() -> None:
     assert FOUND.induced[0].contact_force.shape == (2,)
 
 
+def test_it_prints_a_row_for_each_time() -> None:
+    headline, names, *rows = str(FOUND).splitlines()
+    assert headline.startswith("Vibration at 31 times: largest deflection of the rail 0.000")
+    assert names.split("  ")[0] == "t"
+    assert len(rows) == 31
+    assert next(iter(FOUND.records())).keys() == {"t", "rail at 0", "rail at 2", "contact force 1", "contact force 2"}
+    assert list(FOUND.records())[7]["contact force 2"] == FOUND.contact_force[1, 7]
+
+
 def test_shapes_and_errors() -> None:
     assert FOUND.rail.shape == FOUND.steady.shape == FOUND.harmonic.shape == FOUND.transient.shape == (2, 31)
     assert not FOUND.steady_harmonic.any()
