@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from math import comb
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ import numpy as np
 from mpsolve.batch.entries import Entries
 from mpsolve.batch.waveguides import expanded
 from mpsolve.batch.waves import by_companions
+from mpsolve.characteristic.bordering import Bordering
 
 _APART = 1e-7
 _LOST = 1e-11
@@ -28,8 +30,7 @@ class Group:
 
     D, N: coefficients of P^i σ^j of the moving track, shape (K, i, j). D_s, N_s: their slopes in σ.
     S0, S1, S2: the vehicle's pencil S₀ + S₁σ + S₂σ², (K, bodies, bodies), rows of neutral bodies divided by σ;
-    B, h, x: (K, bodies, contacts), (K, contacts), ascending places. direct: (body, contact) of tight contacts alone
-    on their body, which are eliminated. up: how many p-roots decay ahead. q = q̂ · unit.
+    B, h, x: (K, bodies, contacts), (K, contacts), ascending places. up: how many p-roots decay ahead. q = q̂ · unit.
     """
 
     index: Any
@@ -46,14 +47,13 @@ class Group:
     x: Any
     neutral: Any
     unit: Any
-    direct: tuple[tuple[int, int], ...]
     up: int
 
     def __len__(self) -> int:
         return len(self.index)
 
     def __getitem__(self, rows: Any) -> Group:
-        shared = ("neutral", "direct", "up")
+        shared = ("neutral", "up")
         return replace(self, **{f.name: getattr(self, f.name)[rows] for f in fields(self) if f.name not in shared})
 
     @property
@@ -65,34 +65,42 @@ class Group:
         return int(self.B.shape[2])
 
     @cached_property
-    def cells(self) -> list[tuple[int, int]]:
-        """The places in S that are not 0 everywhere."""
-        some = ((self.S0 != 0) | (self.S1 != 0) | (self.S2 != 0)).any(0)
-        return [(int(i), int(j)) for i, j in np.argwhere(some)]
+    def border(self) -> tuple[Bordering, Any]:
+        """What stands in which entry of the matrix, and the coefficients of its polynomials, (K, 3, polynomials)."""
 
-    @cached_property
-    def pencil(self) -> tuple[Any, Any, Any]:
-        """S₀, S₁, S₂ at the cells, each (K, cells)."""
-        i, j = ([cell[k] for cell in self.cells] for k in (0, 1))
-        return self.S0[:, i, j], self.S1[:, i, j], self.S2[:, i, j]
+        def columns(a: Any) -> list[list[Column]]:
+            return [[Column(a[:, i, j]) for j in range(a.shape[2])] for i in range(a.shape[1])]
 
-    @cached_property
-    def through(self) -> dict[int, tuple[int, int, int]]:
-        """For the number of each cell whose column is a body that is eliminated: (row, its contact, the body)."""
-        contact = dict(self.direct)
-        return {k: (i, contact[j], j) for k, (i, j) in enumerate(self.cells) if j in contact}
-
-    @property
-    def kept(self) -> list[int]:
-        """Bodies whose motions stay unknowns."""
-        gone = {body for body, _ in self.direct}
-        return [i for i in range(self.bodies) if i not in gone]
+        places = [2**k for k in range(self.contacts)]  # so that no two distances are equal: of some entries none are
+        S, (h,) = [columns(a) for a in (self.S0, self.S1, self.S2)], columns(self.h[:, None])
+        given: Any = SimpleNamespace(S=S, B=columns(self.B), h=h, places=places, index=range(self.contacts))
+        border = Bordering.of(given)
+        table = np.zeros((len(self), 3, len(border.polynomials)))
+        for n, f in enumerate(border.polynomials[1:], 1):
+            for k, c in enumerate(f):
+                table[:, k, n] = c.values
+        return border, table
 
     @property
-    def indirect(self) -> list[int]:
-        """Contacts whose equations stay."""
-        gone = {contact for _, contact in self.direct}
-        return [j for j in range(self.contacts) if j not in gone]
+    def direct(self) -> list[tuple[int, int]]:
+        """(body, contact) of tight contacts alone on their body, which are eliminated."""
+        return [(one.body, one.contact) for one in self.border[0].direct]
+
+
+class Column:
+    """A number of the vehicle, of each entry its own, in the place of an exact one."""
+
+    def __init__(self, values: Any) -> None:
+        self.values = values
+
+    def __bool__(self) -> bool:
+        return bool(np.any(self.values))
+
+    def __neg__(self) -> Column:
+        return Column(-self.values)
+
+    def __truediv__(self, other: Column) -> Column:
+        return Column(self.values / other.values)
 
 
 def groups_of(entries: Entries, rows: Any) -> tuple[list[Group], dict[int, str]]:
@@ -143,21 +151,12 @@ def _group(entries: Entries, some: Any, D: dict[Any, Any], N: dict[Any, Any]) ->
         S[k][:, first.neutral] = S[k + 1][:, first.neutral] if k < 2 else 0.0
     moving = (D_table, N_table, _slope(D_table), _slope(N_table), v)
     contacts = (h / g[:, None], places * np.exp2(-length)[:, None])
-    group = Group(some, *moving, S[0], S[1], S[2], B, *contacts, first.neutral, rate, _direct(first), 0)
+    group = Group(some, *moving, S[0], S[1], S[2], B, *contacts, first.neutral, rate, 0)
     return group, lost
 
 
 def _stacked(formations: list[Any], key: str) -> Any:
     return np.stack([getattr(formation, key) for formation in formations])
-
-
-def _direct(formation: Any) -> tuple[tuple[int, int], ...]:
-    out = []
-    for j in range(len(formation.h)):
-        bodies = np.flatnonzero(formation.B[:, j])
-        if formation.h[j] == 0 and len(bodies) == 1 and np.count_nonzero(formation.B[bodies[0]]) == 1:
-            out.append((int(bodies[0]), j))
-    return tuple(out)
 
 
 def _units(D: dict[Any, Any]) -> tuple[Any, Any]:

@@ -35,7 +35,7 @@ class Values:
 
 def chunk_of(group: Group) -> int:
     """How many points are computed at a time."""
-    size = max(group.contacts, len(group.kept) + group.contacts, 2)
+    size = max(group.contacts, len(group.border[0].kept) + group.contacts, 2)
     return max(64, min(4096, _CELLS // size**2))
 
 

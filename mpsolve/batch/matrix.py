@@ -9,64 +9,31 @@ import numpy as np
 from mpsolve.batch.groups import Group
 from mpsolve.batch.kernel import Values, chunk_of, receptances
 
+_CELLS = 1 << 14  # of the matrices that are filled together: they stay in the processor's cache
 _AT_A_ROOT = complex(1e300)
 
 
 def matrices(group: Group, rows: Any, sigma: Any, values: Values) -> tuple[Any, Any]:
     """The characteristic matrix with direct contacts eliminated, and its slope in σ where that of G is known."""
-    S, S_s = _pencil(group, rows, sigma)
-    A = _assembled(group, rows, S, values.G)
-    if values.G_sigma is None:
-        return A, None
-    slope = np.zeros_like(A)
-    _put_pencil(group, slope, S_s)
-    kept = len(group.kept)
-    for place, (i, contact, b) in group.through.items():
-        factor = 1 / group.B[rows, b, contact]
-        slope[:, i, kept:] -= (S_s[:, place] * factor)[:, None] * values.G[:, contact]
-        slope[:, i, kept:] -= (S[:, place] * factor)[:, None] * values.G_sigma[:, contact]
-    slope[:, group.bodies :, kept:] = values.G_sigma[:, group.indirect]
-    return A, slope
+    step = max(1, _CELLS // group.contacts**2)
+    parts = [slice(k, k + step) for k in range(0, max(len(rows), 1), step)]
+    found = [_matrices(group, rows[part], sigma[part], values, part) for part in parts]
+    A, slopes = zip(*found, strict=True) if len(found) > 1 else found[0]
+    if len(found) > 1:
+        A, slopes = np.concatenate(A), None if slopes[0] is None else np.concatenate(slopes)
+    return A, slopes
 
 
-def _pencil(group: Group, rows: Any, sigma: Any) -> tuple[Any, Any]:
-    """The entries of S that are not 0, and their slopes in σ."""
-    S0, S1, S2 = (a[rows] for a in group.pencil)
-    s = sigma[:, None]
-    return (S2 * s + S1) * s + S0, 2 * S2 * s + S1
-
-
-def _put_pencil(group: Group, A: Any, S: Any) -> None:
-    """The entries of S whose columns are unknowns."""
-    column = {body: k for k, body in enumerate(group.kept)}
-    for place, (i, j) in enumerate(group.cells):
-        if j in column:
-            A[:, i, column[j]] = S[:, place]
-
-
-def _assembled(group: Group, rows: Any, S: Any, G: Any) -> Any:
-    kept, indirect, bodies = group.kept, group.indirect, group.bodies
-    A = np.zeros((len(rows), bodies + len(indirect), len(kept) + group.contacts), complex)
-    B = group.B[rows]
-    A[:, :bodies, len(kept) :] = -B
-    _put_pencil(group, A, S)
-    own = [(place, i, contact) for place, (i, contact, b) in group.through.items() if i == b]
-    if own:
-        places, bodies_, contacts = (list(part) for part in zip(*own, strict=True))
-        factor = S[:, places] / B[:, bodies_, contacts]
-        if bodies_ == contacts == list(range(group.contacts)):
-            A[:, : group.contacts, len(kept) :] -= factor[:, :, None] * G
-        else:
-            A[:, bodies_, len(kept) :] -= factor[:, :, None] * G[:, contacts]
-    for place, (i, contact, b) in group.through.items():
-        if i != b:
-            A[:, i, len(kept) :] -= (S[:, place] / B[:, b, contact])[:, None] * G[:, contact]
-    if indirect:
-        A[:, bodies:, : len(kept)] = B.swapaxes(1, 2)[:, indirect][:, :, kept]
-        A[:, bodies:, len(kept) :] = G[:, indirect]
-        for place, j in enumerate(indirect):
-            A[:, bodies + place, len(kept) + j] += group.h[rows, j]
-    return A
+def _matrices(group: Group, rows: Any, sigma: Any, values: Values, part: slice) -> tuple[Any, Any]:
+    border, table = group.border
+    (c0, c1, c2), s = np.moveaxis(table[rows], 1, 0), sigma[:, None]
+    f, (first, second) = (c2 * s + c1) * s + c0, border.one_each
+    own = np.ravel_multi_index((first, second), (group.contacts, group.contacts))
+    G, G_s = (
+        None if a is None else np.take(a[part].reshape(len(s), group.contacts**2), own, 1)
+        for a in (values.G, values.G_sigma)
+    )
+    return border.matrix(f, G), None if G_s is None else border.slope(f, G, 2 * c2 * s + c1, G_s)
 
 
 def log_delta(group: Group, rows: Any, sigma: Any, near: Any = None) -> tuple[Any, Any]:

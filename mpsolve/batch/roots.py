@@ -51,7 +51,7 @@ class Search:
 
     @property
     def _size(self) -> int:
-        return len(self.group.kept) + self.group.contacts
+        return len(self.group.border[0].kept) + self.group.contacts
 
     def solve(self) -> Any:
         """Whether each entry has as many roots as were counted; neighbours among the entries should be alike."""
