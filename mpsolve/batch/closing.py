@@ -8,11 +8,12 @@ import numpy as np
 
 from mpsolve.batch.groups import Group
 from mpsolve.batch.kernel import chunk_of, receptances
+from mpsolve.numbers.arrays import Complexes, Integers, Reals
 
 _SMALL = 1e-9  # of the largest entry of its row: a pivot below it is not told from 0
 
 
-def closing_argument(group: Group, rho: Any) -> Any:
+def closing_argument(group: Group, rho: Reals) -> Reals:
     """Σ Arg(pivots of M) at σ̂ = iρ̂, M = [[S/σ, −B], [Bᵀ, σ(G + h)]]; nan where a pivot may be 0."""
     out = np.empty(len(group))
     step = chunk_of(group)
@@ -22,7 +23,7 @@ def closing_argument(group: Group, rho: Any) -> Any:
     return out
 
 
-def accretive(group: Group, rows: Any, sigma: Any) -> Any:
+def accretive(group: Group, rows: Integers, sigma: Any) -> Complexes:
     """M, contacts first: their block is clearly accretive, and the bodies' are so where it reaches them."""
     n, c = group.bodies, group.contacts
     G = receptances(group, rows, sigma).G
@@ -37,7 +38,7 @@ def accretive(group: Group, rows: Any, sigma: Any) -> Any:
     return M
 
 
-def _pivots(M: Any) -> Any:
+def _pivots(M: Complexes) -> Reals:
     """By elimination with the largest diagonal entry first."""
     total, index = np.zeros(len(M)), np.arange(len(M))
     size = np.maximum(np.abs(M).max(2), 1e-300)

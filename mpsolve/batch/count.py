@@ -19,6 +19,7 @@ from mpsolve.batch.closing import closing_argument
 from mpsolve.batch.groups import Group
 from mpsolve.batch.matrix import log_delta
 from mpsolve.batch.waves import felt, moved_between, passes_branch
+from mpsolve.numbers.arrays import Complexes, Integers, Reals, Truths
 
 MAX_STEP = 0.5  # rad, of the argument between neighbouring points
 MAX_GROWTH = 1.2  # of log |Δ̂|
@@ -42,9 +43,9 @@ class Line:
     """
 
     row: Any
-    t: Any
+    t: Reals
     q: Any
-    log: Any
+    log: Complexes
     z: Any
 
     def of(self, row: int) -> Any:
@@ -62,7 +63,7 @@ class Counted:
     line: Line
 
 
-def count_group(group: Group, rho: Any, height: Any) -> Counted:
+def count_group(group: Group, rho: Reals, height: Reals) -> Counted:
     """The counts for ρ̂ and ĥ of each entry; ρ̂ must be known."""
     corners = Corners(rho, height, _BESIDE if waves_meet(group) else 0.0)
     line, lost = _refined(group, corners)
@@ -87,11 +88,11 @@ def count_group(group: Group, rho: Any, height: Any) -> Counted:
 class Corners:
     """The line from ih to ρ + ih and down to ρ, as a function of t; where waves meet at q = 0 it begins beside it."""
 
-    rho: Any
-    height: Any
+    rho: Reals
+    height: Reals
     start: float
 
-    def at(self, row: Any, t: Any) -> Any:
+    def at(self, row: Any, t: Reals) -> Any:
         rho, h = self.rho[row], self.height[row]
         whole = rho + h
         along = np.minimum(np.maximum(t, np.where(h > 0, 0, self.start)) * whole, rho)
@@ -108,7 +109,7 @@ def waves_meet(group: Group) -> bool:
     return not (D[:, 0, : min(2, D.shape[2])].any() or (D.shape[1] > 1 and D[:, 1, 0].any()))
 
 
-def _beginnings(group: Group, corners: Corners, line: Line) -> tuple[Any, Any]:
+def _beginnings(group: Group, corners: Corners, line: Line) -> tuple[Reals, Truths]:
     """The turn from q = 0 to the first point, and where it is not told: Δ̂ must have a limit there, which is real."""
     first = np.searchsorted(line.row, np.arange(len(group)))
     angle = line.log[first].imag
@@ -171,7 +172,7 @@ def _refined(group: Group, corners: Corners) -> tuple[Line, Any]:
         line = _halved(group, corners, line, place)
 
 
-def _coarse(line: Line, span: Any, nearest: Any, up: int) -> Any:
+def _coarse(line: Line, span: Reals, nearest: Reals, up: int) -> Any:
     """Which pieces, from a point to the next, are too long."""
     same = line.row[1:] == line.row[:-1]
     length = np.where(same, np.diff(line.t), np.inf)
@@ -191,7 +192,7 @@ def _coarse(line: Line, span: Any, nearest: Any, up: int) -> Any:
     return out & same
 
 
-def _halved(group: Group, corners: Corners, line: Line, place: Any) -> Line:
+def _halved(group: Group, corners: Corners, line: Line, place: Integers) -> Line:
     row = line.row[place]
     t = (line.t[place] + line.t[place + 1]) / 2
     q = corners.at(row, t)

@@ -14,9 +14,10 @@ import numpy as np
 from mpsolve.batch.halves import Halves, largest_real_root
 from mpsolve.batch.kernel import at_roots, chunk_of
 from mpsolve.batch.matrix import log_det, matrices
+from mpsolve.numbers.arrays import Complexes, Integers, Reals
 
 
-def edge_roots(halves: Halves, rows: Any, z: Any) -> Any:
+def edge_roots(halves: Halves, rows: Integers, z: Any) -> Complexes:
     """The roots P = ip seen from below the cut, upper ones first: shape (points, 4)."""
     EI, c2, k, m, v = (part[rows] for part in halves.beam)
     c2, c1, c0 = c2 / EI, 2 * m * v * z / EI, (k - m * z * z) / EI
@@ -31,14 +32,14 @@ def edge_roots(halves: Halves, rows: Any, z: Any) -> Any:
     return 1j * np.stack([a, b, c, e], 1)
 
 
-def _split(v: Any, z: Any, centre: Any, delta2: Any) -> tuple[Any, Any]:
+def _split(v: Reals, z: Any, centre: Reals, delta2: Reals) -> tuple[Any, Any]:
     """The upper and the lower one of the roots centre ± √δ²."""
     size = np.sqrt(np.abs(delta2))
     offset = np.where(delta2 < 0, 1j * size, np.where(v * (centre + size) > z, size, -size))
     return centre + offset, centre - offset
 
 
-def edge_logs(halves: Halves, rows: Any, z: Any) -> Any:
+def edge_logs(halves: Halves, rows: Integers, z: Any) -> Complexes:
     """log R·Δ for the lower half and the upper one, mirrored; shape (2, points)."""
     out = np.empty((2, len(rows)), complex)
     step = chunk_of(halves.group)
@@ -50,7 +51,7 @@ def edge_logs(halves: Halves, rows: Any, z: Any) -> Any:
     return out
 
 
-def far_arguments(halves: Halves, rows: Any, z: Any) -> Any:
+def far_arguments(halves: Halves, rows: Integers, z: Any) -> Reals:
     """arg R·Δ at a far z, both halves together, of det B = 1 and no mass at z = 0; nan where it is not told.
 
     R/z² is near a negative number, Δ of each mass alone is near what a rigid end makes of it, and so is the rest.
@@ -75,7 +76,7 @@ def _sign(halves: Halves) -> float:
     return float(np.linalg.det(np.eye(len(order))[order]))
 
 
-def _parts(halves: Halves, rows: Any, z: Any) -> tuple[Any, list[Any]]:
+def _parts(halves: Halves, rows: Integers, z: Any) -> tuple[Complexes, list[Complexes]]:
     """log R, and the characteristic matrices of both halves."""
     group, sigma = halves.group, 1j * z
     with np.errstate(all="ignore"):
@@ -86,6 +87,6 @@ def _parts(halves: Halves, rows: Any, z: Any) -> tuple[Any, list[Any]]:
     return log_R, [matrices(group, rows + side * len(halves), sigma, values)[0] for side in (0, 1)]
 
 
-def _principal(value: Any) -> Any:
+def _principal(value: Any) -> Reals:
     with np.errstate(all="ignore"):
         return np.where(value.real > 0, np.angle(value), np.nan)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import lru_cache
 from itertools import pairwise
 from typing import Any
@@ -11,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.arrays import Integers, Reals, Truths
 from mpsolve.numbers.model import Model, Quantity, rational
 from mpsolve.problem.parameters import changed, quantity_of
 from mpsolve.problem.problem import Problem
@@ -29,13 +31,13 @@ class Formation:
     computed together have in common.
     """
 
-    M: Any
-    C: Any
-    K: Any
-    B: Any
-    h: Any
-    places: Any
-    neutral: Any
+    M: Reals
+    C: Reals
+    K: Reals
+    B: Reals
+    h: Reals
+    places: Reals
+    neutral: Truths
     signature: Signature
 
 
@@ -45,11 +47,11 @@ class Entries:
 
     problem: Problem
     shape: tuple[int, ...]
-    over: dict[str, Any]
-    v: Any
+    over: dict[str, Reals]
+    v: Reals
     track: dict[str, Any]
     formations: tuple[Formation, ...]
-    which: Any
+    which: Integers
 
     def __len__(self) -> int:
         return len(self.v)
@@ -82,11 +84,11 @@ def entries_of(problem: Problem, over: Mapping[str, Any]) -> Entries:
     return Entries(problem, shape, flat, v, track, formations, which)
 
 
-def _track_parameters(track: Any) -> dict[str, Any]:
+def _track_parameters(track: Any) -> dict[str, Fraction]:
     return dict(track.parameters) if isinstance(track, Model) else {}
 
 
-def _floats(path: str, values: Any, asked: Quantity) -> Any:
+def _floats(path: str, values: Any, asked: Quantity) -> Reals:
     """An array within the bounds of the parameter; texts may have units of their own."""
     if np.ma.is_masked(values):
         raise InputError(path, "has masked entries: give a number everywhere, or leave those entries out")
@@ -114,7 +116,7 @@ def _require(path: str, values: Any, holds: Any, stated: str) -> None:
         raise InputError(path, f"{where}is {values[first]:g}, {stated}")
 
 
-def _formations(problem: Problem, flat: Mapping[str, Any], size: int) -> tuple[tuple[Formation, ...], Any]:
+def _formations(problem: Problem, flat: Mapping[str, Reals], size: int) -> tuple[tuple[Formation, ...], Integers]:
     """The different formations, and which of them each entry has."""
     paths = [path for path in flat if path != "v" and not path.startswith("track.")]
     if not paths or not size:
@@ -160,13 +162,13 @@ def formation(vehicles: tuple[Placed, ...]) -> Formation:
 
 @dataclass(frozen=True)
 class _Matrices:
-    M: Any
-    C: Any
-    K: Any
-    B: Any
-    h: Any
-    neutral: Any
-    pencil_places: tuple[Any, ...]
+    M: Reals
+    C: Reals
+    K: Reals
+    B: Reals
+    h: Reals
+    neutral: Truths
+    pencil_places: tuple[Fraction, ...]
 
 
 @lru_cache(maxsize=512)
@@ -181,7 +183,7 @@ def _matrices(vehicle: AnyVehicle) -> _Matrices:
     return _Matrices(M, C, K, B, np.array([float(x) for x in pencil.h]), neutral, pencil.places)
 
 
-def _array(rows: Any) -> Any:
+def _array(rows: Sequence[Sequence[Fraction]]) -> Reals:
     return np.array([[float(x) for x in row] for row in rows])
 
 

@@ -18,6 +18,7 @@ from mpsolve.batch.result import STATUSES, Frequencies
 from mpsolve.batch.roots import Search, weight, whole
 from mpsolve.batch.sheet import OFF_LINE, UNKNOWN, check_sheet, on_sheet
 from mpsolve.errors import InputError
+from mpsolve.numbers.arrays import Integers, Reals
 from mpsolve.parallel.pool import run
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
@@ -52,7 +53,7 @@ class _Answer:
     def open(self, rows: Any, reason: str, status: int = 1) -> None:
         self.reason[rows], self.status[rows] = reason, status
 
-    def ok(self, rows: Any, count: Any) -> None:
+    def ok(self, rows: Integers, count: Any) -> None:
         self.count[rows], self.status[rows], self.reason[rows] = count, 0, ""
 
 
@@ -127,7 +128,7 @@ def _height(region: object) -> Fraction:
 @dataclass(frozen=True)
 class _Job:
     problem: Problem
-    over: dict[str, Any]
+    over: dict[str, Reals]
     height: Fraction | None  # None: the whole sheet
     roots: bool
 
@@ -159,13 +160,13 @@ def _whole(entries: Entries, job: _Job, answer: _Answer) -> None:
     answer.width = max(map(len, answer.roots.values()), default=0)
 
 
-def _usable(entries: Entries, height: Fraction, answer: _Answer) -> Any:
+def _usable(entries: Entries, height: Fraction, answer: _Answer) -> Integers:
     """The entries that are to be counted; the others are answered."""
     known, which = premises(entries)
     left = np.ones(len(entries), bool)
     many = len(entries.formations[0].places) > 1
 
-    def settle(rows: Any, reason: str, status: int = 1) -> None:
+    def settle(rows: Integers, reason: str, status: int = 1) -> None:
         answer.open(rows[left[rows]], reason, status)
         left[rows] = False
 
@@ -227,7 +228,7 @@ def _count(group: Group, height: Fraction, roots: bool, answer: _Answer) -> None
     answer.width = max(answer.width, int(counted.count[solved & some].max(initial=0)))
 
 
-def alike(over: Mapping[str, Any], size: int) -> Any:
+def alike(over: Mapping[str, Reals], size: int) -> Integers:
     """The permutation that sorts the entries. Parameters with few values change least often."""
     ranks = []
     for column in over.values():

@@ -14,10 +14,11 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.batch.entries import Entries
+from mpsolve.batch.entries import Entries, Formation
 from mpsolve.batch.waveguides import expanded
 from mpsolve.batch.waves import by_companions
 from mpsolve.characteristic.bordering import Bordering
+from mpsolve.numbers.arrays import Integers, Reals, Truths
 
 _APART = 1e-7
 _LOST = 1e-11
@@ -33,20 +34,20 @@ class Group:
     B, h, x: (K, bodies, contacts), (K, contacts), ascending places. up: how many p-roots decay ahead. q = q̂ · unit.
     """
 
-    index: Any
+    index: Integers
     D: Any
-    N: Any
-    D_s: Any
-    N_s: Any
-    v: Any
-    S0: Any
-    S1: Any
-    S2: Any
+    N: Reals
+    D_s: Reals
+    N_s: Reals
+    v: Reals
+    S0: Reals
+    S1: Reals
+    S2: Reals
     B: Any
-    h: Any
+    h: Reals
     x: Any
-    neutral: Any
-    unit: Any
+    neutral: Truths
+    unit: Reals
     up: int
 
     def __len__(self) -> int:
@@ -103,7 +104,7 @@ class Column:
         return Column(self.values / other.values)
 
 
-def groups_of(entries: Entries, rows: Any) -> tuple[list[Group], dict[int, str]]:
+def groups_of(entries: Entries, rows: Integers) -> tuple[list[Group], dict[int, str]]:
     """The entries `rows` in groups; and those that fit in none, with the reason."""
     D, N = expanded(entries.problem.track)
     size = len(entries)
@@ -126,7 +127,9 @@ def groups_of(entries: Entries, rows: Any) -> tuple[list[Group], dict[int, str]]
     return groups, refused
 
 
-def _group(entries: Entries, some: Any, D: dict[Any, Any], N: dict[Any, Any]) -> tuple[Group, Any]:
+def _group(
+    entries: Entries, some: Integers, D: dict[Any, Any], N: dict[tuple[int, int], Reals]
+) -> tuple[Group, Truths]:
     length, time = _units(D)
     D, N = ({(i, j): c * np.exp2(-length * i - time * j) for (i, j), c in a.items()} for a in (D, N))
     e, f = (np.round(np.max([np.log2(np.abs(c)) for c in a.values()], 0)) for a in (D, N))
@@ -155,11 +158,11 @@ def _group(entries: Entries, some: Any, D: dict[Any, Any], N: dict[Any, Any]) ->
     return group, lost
 
 
-def _stacked(formations: list[Any], key: str) -> Any:
+def _stacked(formations: list[Formation], key: str) -> Reals:
     return np.stack([getattr(formation, key) for formation in formations])
 
 
-def _units(D: dict[Any, Any]) -> tuple[Any, Any]:
+def _units(D: dict[Any, Any]) -> tuple[Reals, Reals]:
     """Exponents of the powers of two for length and time that bring the coefficients nearest to one size."""
     rows = np.array([[1.0, i, j] for i, j in D])
     logs = np.stack([np.log2(np.abs(c)) for c in D.values()])
@@ -167,7 +170,7 @@ def _units(D: dict[Any, Any]) -> tuple[Any, Any]:
     return np.round(fit[1]), np.round(fit[2])
 
 
-def _moving(a: dict[Any, Any], v: Any) -> tuple[Any, Any]:
+def _moving(a: dict[Any, Any], v: Reals) -> tuple[Reals, Reals]:
     """Coefficients of P^i σ^j with s = σ − vP, and the sums of the moduli that they are made of."""
     top_i, top_j = max(i + j for i, j in a), max(j for _, j in a)
     out, sizes = (np.zeros((len(v), top_i + 1, top_j + 1)) for _ in range(2))
@@ -179,13 +182,13 @@ def _moving(a: dict[Any, Any], v: Any) -> tuple[Any, Any]:
     return out, sizes
 
 
-def _trimmed(table: Any) -> Any:
+def _trimmed(table: Reals) -> Reals:
     """Without powers of P that no entry has."""
     top = max((i for i in range(table.shape[1]) if table[:, i].any()), default=0)
     return table[:, : top + 1]
 
 
-def _slope(table: Any) -> Any:
+def _slope(table: Reals) -> Reals:
     out = table[:, :, 1:] * np.arange(1, table.shape[2])
     return out if out.shape[2] else np.zeros((*table.shape[:2], 1))
 

@@ -15,6 +15,7 @@ import numpy as np
 
 from mpsolve.batch.entries import Entries
 from mpsolve.batch.groups import Group, groups_of
+from mpsolve.numbers.arrays import Integers, Reals
 
 _NAMES = ("EI", "m", "k", "c", "kp", "N", "eta")
 
@@ -24,7 +25,7 @@ class Halves:
     """K entries: row j of `group` is the lower half of entry j, row j + K the upper one. height: η, scaled."""
 
     group: Group
-    height: Any
+    height: Reals
 
     def __len__(self) -> int:
         return len(self.height)
@@ -34,22 +35,22 @@ class Halves:
         return Halves(self.group[np.concatenate([chosen, chosen + len(self)])], self.height[chosen])
 
     @property
-    def index(self) -> Any:
+    def index(self) -> Integers:
         """The entries in their batch."""
         return self.group.index[: len(self)]
 
     @property
-    def unit(self) -> Any:
+    def unit(self) -> Reals:
         return self.group.unit[: len(self)]
 
     @cached_property
-    def beam(self) -> tuple[Any, Any, Any, Any, Any]:
+    def beam(self) -> tuple[Reals, Reals, Reals, Reals, Reals]:
         """EI, T − mv², k, m and v of D = EI p⁴ + T p² + k − m Ω², undamped and scaled."""
         D = self.group.D[: len(self)]
         return D[:, 4, 0], -D[:, 2, 0], D[:, 0, 0], D[:, 0, 2], self.group.v[: len(self)]
 
     @cached_property
-    def limit(self) -> Any:
+    def limit(self) -> Reals:
         """The tip of the right cut; zero or negative where the cuts of both sides are joined.
 
         The least Ω(p) − vp: with y = p², y (2EI y + T)² = v²m (EI y² + T y + k).
@@ -73,7 +74,7 @@ class Halves:
         return np.maximum(2.5 / nearest, 4 * np.sqrt(size)) ** 2 * np.sqrt(EI / m)
 
 
-def largest_real_root(a2: Any, a1: Any, a0: Any) -> Any:
+def largest_real_root(a2: Reals, a1: Reals, a0: Reals) -> Reals:
     """The largest real root of y³ + a2 y² + a1 y + a0, real arrays, by Cardano's and Viète's formulas."""
     p, q = a1 - a2 * a2 / 3, a2 * (2 * a2 * a2 / 27 - a1 / 3) + a0
     square = q * q / 4 + p * p * p / 27

@@ -8,12 +8,13 @@ import numpy as np
 
 from mpsolve.batch.groups import Group
 from mpsolve.batch.kernel import Values, chunk_of, receptances
+from mpsolve.numbers.arrays import Complexes, Integers
 
 _CELLS = 1 << 14  # of the matrices that are filled together: they stay in the processor's cache
 _AT_A_ROOT = complex(1e300)
 
 
-def matrices(group: Group, rows: Any, sigma: Any, values: Values) -> tuple[Any, Any]:
+def matrices(group: Group, rows: Integers, sigma: Any, values: Values) -> tuple[Any, Any]:
     """The characteristic matrix with direct contacts eliminated, and its slope in σ where that of G is known."""
     step = max(1, _CELLS // group.contacts**2)
     parts = [slice(k, k + step) for k in range(0, max(len(rows), 1), step)]
@@ -36,7 +37,7 @@ def _matrices(group: Group, rows: Any, sigma: Any, values: Values, part: slice) 
     return border.matrix(f, G), None if G_s is None else border.slope(f, G, 2 * c2 * s + c1, G_s)
 
 
-def log_delta(group: Group, rows: Any, sigma: Any, near: Any = None) -> tuple[Any, Any]:
+def log_delta(group: Group, rows: Integers, sigma: Any, near: Complexes | None = None) -> tuple[Complexes, Complexes]:
     """log Δ̂ (its imaginary part modulo 2π, up to a constant of the entry) and the p-roots at each point."""
     out, roots = np.empty(len(rows), complex), np.empty((len(rows), group.D.shape[1] - 1), complex)
     step = chunk_of(group)
@@ -47,7 +48,7 @@ def log_delta(group: Group, rows: Any, sigma: Any, near: Any = None) -> tuple[An
     return out, roots
 
 
-def log_det(A: Any) -> Any:
+def log_det(A: Complexes) -> Any:
     """log det A of many matrices."""
     with np.errstate(all="ignore"):
         if A.shape[1] == 1:
@@ -58,7 +59,7 @@ def log_det(A: Any) -> Any:
         return size + 1j * np.angle(sign)
 
 
-def log_slope(group: Group, rows: Any, q: Any, near: Any = None) -> tuple[Any, Any]:
+def log_slope(group: Group, rows: Integers, q: Any, near: Complexes | None = None) -> tuple[Complexes, Complexes]:
     """d log Δ̂/dq and the p-roots at each point."""
     out, roots = np.empty(len(q), complex), np.empty((len(q), group.D.shape[1] - 1), complex)
     step = chunk_of(group)
@@ -71,7 +72,7 @@ def log_slope(group: Group, rows: Any, q: Any, near: Any = None) -> tuple[Any, A
     return out, roots
 
 
-def _turned(A: Any, A_s: Any) -> Any:
+def _turned(A: Any, A_s: Any) -> Complexes:
     """tr(A⁻¹A′); nan where it is not known."""
     if A.shape[1] <= 2:
         return _quotient(A, A_s)
@@ -84,7 +85,7 @@ def _turned(A: Any, A_s: Any) -> Any:
     return np.where(fine, trace, np.nan)
 
 
-def _quotient(A: Any, A_s: Any) -> Any:
+def _quotient(A: Complexes, A_s: Complexes) -> Complexes:
     """(det A)′/det A of small matrices."""
     det, moved = A[:, 0, 0], A_s[:, 0, 0]
     if A.shape[1] == 2:

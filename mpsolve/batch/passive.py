@@ -14,6 +14,7 @@ import numpy as np
 from mpsolve.batch.groups import Group
 from mpsolve.batch.kernel import chunk_of, receptances
 from mpsolve.batch.waves import felt, moved_between, passes_branch
+from mpsolve.numbers.arrays import Complexes, Reals, Truths
 
 _RATIO = 1.3
 _LOW, _HIGH = 2.0**-6, 32.0  # of the grid, in scaled frequencies; the latter beyond the track's own
@@ -23,7 +24,7 @@ _FINEST = 1e-7  # relative step of the grid
 _MOST = 400  # of the ends of the grid
 
 
-def first_passive(group: Group) -> Any:
+def first_passive(group: Group) -> Reals:
     """ρ̂ of each entry, nan where there is none on the grid; equal tracks with equal contacts are looked at once."""
     rows = np.column_stack([group.D.reshape(len(group), -1), group.N.reshape(len(group), -1), group.x])
     _, first, back = np.unique(rows, axis=0, return_index=True, return_inverse=True)
@@ -52,12 +53,12 @@ class _Samples:
     """Frequencies of entries that have been looked at: sorted by entry, then descending."""
 
     row: Any
-    at: Any
+    at: Reals
     z: Any
-    clear: Any
+    clear: Truths
 
 
-def _sampled(group: Group) -> Any:
+def _sampled(group: Group) -> Reals:
     """ρ̂ from a coarse grid, and then from one on which no branch point of G is stepped over."""
     samples = _scanned(group)
     gaps = np.diff(group.x) if group.contacts > 1 else np.zeros((len(group), 1))
@@ -125,7 +126,7 @@ def _own_frequencies(group: Group) -> Any:
     return np.minimum((size ** (1 / (n - np.arange(n)))).max(1), _MOST)
 
 
-def _signs(group: Group, rows: Any, sigma: Any, near: Any) -> tuple[Any, Any, Any]:
+def _signs(group: Group, rows: Any, sigma: Any, near: Complexes | None) -> tuple[Truths, Truths, Complexes]:
     """Where the Hermitian part is clearly positive, where it is clearly not, and the p-roots."""
     clear, negative = np.zeros(len(rows), bool), np.ones(len(rows), bool)
     roots = np.empty((len(rows), group.D.shape[1] - 1), complex)
@@ -143,7 +144,7 @@ def _signs(group: Group, rows: Any, sigma: Any, near: Any) -> tuple[Any, Any, An
     return clear, negative, roots
 
 
-def _shrunk(V: Any, x: Any) -> Any:
+def _shrunk(V: Complexes, x: Any) -> Complexes:
     """V + V* over its largest diagonal entry; contacts at one place are taken once."""
     H = V + V.conj().swapaxes(1, 2)
     for j in range(1, H.shape[1]):  # a place that is there already: as if it stood alone
@@ -155,7 +156,7 @@ def _shrunk(V: Any, x: Any) -> Any:
     return np.where(fine[:, None, None], H / np.where(fine, size, 1)[:, None, None], -np.eye(H.shape[1]))
 
 
-def _definite(H: Any) -> Any:
+def _definite(H: Complexes) -> Truths:
     """Whether all pivots are positive; once one is not, the others do not matter."""
     H, good = H.copy(), np.ones(len(H), bool)
     for k in range(H.shape[1]):

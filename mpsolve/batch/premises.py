@@ -9,12 +9,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 
 from mpsolve.batch.entries import Entries
 from mpsolve.errors import InputError
+from mpsolve.numbers.arrays import Integers
 from mpsolve.passivity.absorption import Absorption, slowest_short_wave
 from mpsolve.passivity.decay import vanishes
 from mpsolve.problem.parameters import changed
@@ -78,7 +78,7 @@ def _slowest_short_wave(guide: Guide) -> float:
     return slowest_short_wave(absorption) * 2.0 ** (guide.length - guide.time) if absorption.W else np.inf
 
 
-def premises(entries: Entries) -> tuple[tuple[Premise, ...], Any]:
+def premises(entries: Entries) -> tuple[tuple[Premise, ...], Integers]:
     """The premises of the different tracks, and which of them each entry has."""
     paths = [path for path in entries.over if path.startswith("track.")]
     problem = entries.problem

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.arrays import Complexes, Integers, Reals
 from mpsolve.numbers.tabled import Tabled
 from mpsolve.problem.cases import Given
 
@@ -27,11 +28,11 @@ class Frequencies(Tabled):
 
     problem: Given
     region: str
-    over: Mapping[str, Any]
-    count: Any
+    over: Mapping[str, Reals]
+    count: Integers
     status: Any
     reason: Any
-    roots: Any = None
+    roots: Complexes | None = None
 
     @property
     def shape(self) -> tuple[int, ...]:

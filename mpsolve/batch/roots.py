@@ -14,6 +14,7 @@ import numpy as np
 from mpsolve.batch.count import Counted
 from mpsolve.batch.groups import Group
 from mpsolve.batch.matrix import log_slope
+from mpsolve.numbers.arrays import Complexes, Integers, Reals
 
 SAME = 1e-7  # relative distance of two approximations to one root
 _STEPS = 40
@@ -41,8 +42,8 @@ class Search:
 
     group: Group
     counted: Counted
-    rho: Any
-    height: Any
+    rho: Reals
+    height: Reals
     q: Any = field(init=False)
 
     def __post_init__(self) -> None:
@@ -70,7 +71,7 @@ class Search:
         self._alone(rows)
         return weight(self.q) == self.counted.count
 
-    def _alone(self, places: Any) -> None:
+    def _alone(self, places: Integers) -> None:
         """Without neighbours: all roots at once, then those that are missing from the line, the axis and grids."""
         for more in _MORE:
             places = places[self._open(places)]
@@ -85,7 +86,7 @@ class Search:
             if starts.shape[1] * self._size**2 <= _EFFORT:
                 self._try(places, starts, apart=True)
 
-    def _together(self, places: Any, more: int) -> None:
+    def _together(self, places: Integers, more: int) -> None:
         """Aberth's method for as many points as roots are missing, and some more: all move, and keep apart."""
         lack = -(-(self.counted.count[places] - weight(self.q[places])) // 2) + more
         size = max(1, _WORK // (8 * int(lack.max())))
@@ -99,7 +100,7 @@ class Search:
             q = np.where(np.arange(width)[None, :] < number[:, None], q + spread, np.nan)
             self._add(rows, self._aberth(rows, q))
 
-    def _aberth(self, rows: Any, q: Any) -> Any:
+    def _aberth(self, rows: Integers, q: Any) -> Any:
         result, z = np.full(q.shape, np.nan, complex), None
         live = np.isfinite(q)
         for _ in range(_STEPS):
@@ -125,10 +126,10 @@ class Search:
             live[each, column], z = keep, z[keep]
         return self._folded(result)
 
-    def _open(self, places: Any) -> Any:
+    def _open(self, places: Integers) -> Any:
         return weight(self.q[places]) < self.counted.count[places]
 
-    def from_line(self, places: Any, fine: int) -> Any:
+    def from_line(self, places: Integers, fine: int) -> Complexes:
         """One Newton step from between the points of the line, with difference quotients."""
         most = 6 * fine + 2 * fine * int(self.counted.count[places].max(initial=0))
         out = np.full((len(places), most), np.nan, complex)
@@ -146,23 +147,23 @@ class Search:
             out[k, : len(best)] = guess[best]
         return out
 
-    def from_axis(self, places: Any, fine: int) -> Any:
+    def from_axis(self, places: Integers, fine: int) -> Any:
         """The imaginary axis below 0, where a root may stand alone."""
         return -1j * self.rho[places, None] * np.geomspace(1e-4, 1, 9 * fine)[None, :]
 
-    def from_grid(self, places: Any, fine: int) -> Any:
+    def from_grid(self, places: Integers, fine: int) -> Complexes:
         x = (np.linspace(0, 1, _GRID[0] * fine + 1)[1:] ** 1.5)[:, None]
         grid = x - 1j * np.geomspace(1e-3, 1, _GRID[1] * fine)[None, :]
         return self.rho[places, None] * grid.ravel()[None, :] + 1j * self.height[places, None] * 0.5
 
-    def _inside(self, rows: Any, q: Any, slack: float) -> Any:
+    def _inside(self, rows: Integers, q: Any, slack: float) -> Any:
         """Whether the points lie in the counted region, or next to it."""
         room = slack * self.rho[rows]
         low = q.imag < -_LEVEL * self.rho[rows] + room
         strip = (q.imag < self.height[rows] + room) & (np.abs(q.real) < self.rho[rows] + room)
         return low | (strip & (self.height[rows] > 0))
 
-    def _try(self, places: Any, guesses: Any, apart: bool) -> None:
+    def _try(self, places: Integers, guesses: Complexes, apart: bool) -> None:
         if not guesses.size:
             return
         size = max(1, _WORK // guesses.shape[1])
@@ -172,7 +173,7 @@ class Search:
             new = self._newton(each, guesses[k : k + size].ravel(), apart)
             self._add(rows, new.reshape(len(rows), -1))
 
-    def _add(self, rows: Any, new: Any) -> None:
+    def _add(self, rows: Integers, new: Complexes) -> None:
         q = np.concatenate([self.q[rows], new], 1)
         found = np.full((len(rows), self.q.shape[1]), np.nan, complex)
         index = np.arange(len(rows))
@@ -185,7 +186,7 @@ class Search:
                 break
         self.q[rows] = found
 
-    def _newton(self, rows: Any, q: Any, apart: bool) -> Any:
+    def _newton(self, rows: Integers, q: Any, apart: bool) -> Any:
         """The roots in the region that the starts lead to, folded into Re q ≥ 0; nan where they lead nowhere."""
         result = np.full(q.shape, np.nan, complex)
         place = np.flatnonzero(np.isfinite(q))
@@ -212,7 +213,7 @@ class Search:
             q = np.where(q.real < 0, -q.conj(), q)
             return np.where(np.abs(q.real) < _AXIS * np.abs(q), 1j * q.imag, q)
 
-    def _step(self, rows: Any, q: Any, near: Any, apart: bool) -> tuple[Any, Any]:
+    def _step(self, rows: Integers, q: Any, near: Complexes | None, apart: bool) -> tuple[Complexes, Complexes]:
         slope, z = log_slope(self.group, rows, q, near)
         if apart:
             slope = slope - poles(q, self.q[rows])
@@ -232,7 +233,7 @@ def weight(q: Any) -> Any:
     return (np.isfinite(q) * np.where(q.real == 0, 1, 2)).sum(-1)
 
 
-def whole(q: Any) -> Any:
+def whole(q: Any) -> Complexes:
     """With the mirrors, each row sorted by (Re q, Im q), nan last."""
     with np.errstate(invalid="ignore"):
         both = np.concatenate([q, np.where(q.real > 0, -q.conj(), np.nan)], 1)

@@ -13,11 +13,13 @@ from typing import Any
 
 import flint
 import numpy as np
+from flint import acb, arb
 
 from mpsolve.certificate.certify import certify
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import InputError, MpsolveError, PrecisionError
 from mpsolve.files import csv_text, write_whole
+from mpsolve.numbers.arrays import Integers, Reals
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.taylor import Taylor, taylor
@@ -54,8 +56,8 @@ class Seeds:
 
     cases: tuple[Row, ...]
     q: Any
-    radius: Any
-    roots: Any
+    radius: Reals
+    roots: Integers
     missing: tuple[tuple[Row, complex], ...]
     undecided: tuple[Row, ...]
 
@@ -189,14 +191,14 @@ def characteristic(case: Case) -> Delta:
     return delta
 
 
-def _radius(delta: Delta, root: Any) -> float | None:
+def _radius(delta: Delta, root: acb) -> float | None:
     try:
         return basin(delta, root)
     except PrecisionError:
         return None
 
 
-def basin(delta: Delta, root: Any) -> float:
+def basin(delta: Delta, root: acb) -> float:
     """A radius ρ about the float64 midpoint c of the root's ball: Newton's method on Δ from |q − c| ≤ ρ is proved
     to halve the distance to the root z with every step. Raises `PrecisionError` where no ρ can be proved.
 
@@ -226,7 +228,7 @@ def basin(delta: Delta, root: Any) -> float:
     )
 
 
-def _on_circle(delta: Delta, c: Any, r: float) -> Any:
+def _on_circle(delta: Delta, c: acb, r: float) -> arb:
     """A bound of |Δ| on |q − c| = r, and so within: the cuts are unbounded, a disc whose rim meets none is free of
     them. `PrecisionError` where an arc may meet a cut.
     """

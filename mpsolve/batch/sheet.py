@@ -11,6 +11,7 @@ from mpsolve.batch.halves import halves_of, on_line
 from mpsolve.batch.sheet_count import count_sheet
 from mpsolve.batch.sheet_roots import SheetSearch, whole_sheet
 from mpsolve.errors import InputError
+from mpsolve.numbers.arrays import Complexes, Integers, Truths
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks.euler_bernoulli import EulerBernoulli
 from mpsolve.vehicles.mass import Mass
@@ -30,7 +31,7 @@ def check_sheet(problem: Problem) -> None:
         raise InputError("region", f'{stated}: give "unstable" or ("below", h)')
 
 
-def on_sheet(entries: Entries, roots: bool) -> tuple[Any, Any, dict[int, Any]]:
+def on_sheet(entries: Entries, roots: bool) -> tuple[Truths, Integers, dict[int, Complexes]]:
     """(inside, count, roots): whether the cuts lie on their line, the number of roots (−1 where it is open), and the
     roots by entry, in the problem's units, sorted; without `roots` they are not sought."""
     inside = on_line(entries)

@@ -17,6 +17,7 @@ import numpy as np
 
 from mpsolve.batch.cut_edge import edge_logs, far_arguments
 from mpsolve.batch.halves import Halves
+from mpsolve.numbers.arrays import Complexes, Integers, Reals, Truths
 
 MAX_STEP = 0.6  # rad, of the phase between neighbouring nodes
 MAX_GROWTH = 1.0  # of log |G|, beside (1 + z)³
@@ -35,8 +36,8 @@ _INTEGER = 1e-3
 class Edge:
     """log G∓ on the nodes t, shape (2, entries, nodes), and the counts: −1 where the phase is not resolved."""
 
-    t: Any
-    log: Any
+    t: Reals
+    log: Complexes
     count: Any
 
 
@@ -44,11 +45,11 @@ class Edge:
 class _Pieces:
     """Pieces of edges: the entry each belongs to, its ends t, and log G∓ there, shape (2, pieces)."""
 
-    which: Any
+    which: Integers
     start: Any
-    stop: Any
-    first: Any
-    last: Any
+    stop: Reals
+    first: Complexes
+    last: Complexes
 
     def __getitem__(self, keep: Any) -> _Pieces:
         return _Pieces(self.which[keep], self.start[keep], self.stop[keep], self.first[:, keep], self.last[:, keep])
@@ -83,17 +84,17 @@ def _nodes(halves: Halves, nodes: int) -> Any:
     return t
 
 
-def place(limit: Any, t: Any) -> Any:
+def place(limit: Reals, t: Reals) -> Reals:
     """z of the nodes."""
     return np.maximum(np.abs(limit) + t * np.abs(t), 0)
 
 
-def turned(angle: Any) -> Any:
+def turned(angle: Reals) -> Any:
     """An angle, or the difference of two, to −π … π."""
     return np.angle(np.exp(1j * angle))
 
 
-def _turning(halves: Halves, t: Any, log: Any) -> Any:
+def _turning(halves: Halves, t: Reals, log: Complexes) -> Reals:
     """[arg G₋] + [arg G₊] along the nodes, pieces halved until every step is small; nan where that fails.
 
     Depth first, so that the pieces in hand stay few however many are made.
@@ -123,7 +124,7 @@ def _turning(halves: Halves, t: Any, log: Any) -> Any:
     return turn
 
 
-def _bent(steps: Any, shape: tuple[int, int]) -> Any:
+def _bent(steps: Reals, shape: tuple[int, int]) -> Truths:
     """Pieces next to which a step is quite another: two roots beside the edge may cancel a step."""
     bend = (np.abs(np.diff(steps.reshape(2, *shape), axis=2)) > MAX_BEND).any(0)
     out = np.zeros(shape, bool)

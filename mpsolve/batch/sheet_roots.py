@@ -15,6 +15,7 @@ from mpsolve.batch.halves import Halves
 from mpsolve.batch.matrix import log_slope
 from mpsolve.batch.roots import poles, weight
 from mpsolve.batch.sheet_count import NODES, Edge, count_sheet
+from mpsolve.numbers.arrays import Complexes, Integers, Reals
 
 SAME = 1e-8  # relative distance of two approximations to one root
 MOST = 64  # roots of an entry: one that has more is not followed
@@ -62,10 +63,10 @@ class SheetSearch:
         self._alone(places)
         return weight(self.z) == self.edge.count
 
-    def _open(self, places: Any) -> Any:
+    def _open(self, places: Integers) -> Any:
         return weight(self.z[places]) < self.edge.count[places]
 
-    def _alone(self, places: Any) -> None:
+    def _alone(self, places: Integers) -> None:
         """Roots that no neighbour has: from the edge, from a grid, at last from many more nodes of the edge."""
         for part in range(-1, _TRIES):
             places = places[self._open(places)]
@@ -83,13 +84,13 @@ class SheetSearch:
             self.edge.count[some] = np.where(fine.count == self.edge.count[some], fine.count, -1)
             self._extend(some, edge_guesses(halves, np.arange(len(halves)), fine, 96), _MOST_STEPS)
 
-    def _extend(self, places: Any, guesses: Any, apart: int = 0) -> None:
+    def _extend(self, places: Integers, guesses: Complexes, apart: int = 0) -> None:
         """Adds what the guesses lead to, with the known roots divided out if steps `apart` are given."""
         size = max(1, _WORK // (guesses.shape[1] * (1 + self.z.shape[1] * (apart > 0))))
         for k in range(0, len(places), size):
             self._add(places[k : k + size], guesses[k : k + size], apart)
 
-    def _add(self, places: Any, guesses: Any, apart: int) -> None:
+    def _add(self, places: Integers, guesses: Any, apart: int) -> None:
         known = self.z[places]
         rows = np.repeat(places, guesses.shape[1])
         new = guesses.ravel()
@@ -100,7 +101,7 @@ class SheetSearch:
         self.z[places] = distinct(self.halves, places, np.concatenate([known, new], axis=1), self.z.shape[1])
 
 
-def edge_guesses(halves: Halves, rows: Any, edge: Edge, nearest: int) -> Any:
+def edge_guesses(halves: Halves, rows: Integers, edge: Edge, nearest: int) -> Complexes:
     """One Newton step in t, with difference quotients, from between the nodes: shape (rows, nearest).
 
     A line of roots begins and ends on the cut, so that a root which the neighbours lack is close to it.
@@ -122,14 +123,14 @@ def edge_guesses(halves: Halves, rows: Any, edge: Edge, nearest: int) -> Any:
     return np.take_along_axis(np.concatenate(guesses, axis=1), best, axis=1)
 
 
-def grid_guesses(halves: Halves, rows: Any) -> Any:
+def grid_guesses(halves: Halves, rows: Integers) -> Any:
     """Polar grids in the right half-plane, dense towards both sides of the cut: wide, and within |limit|."""
     far, tip = np.sqrt(halves.far[rows])[:, None], np.abs(halves.limit[rows])[:, None]
     radius = np.concatenate([_FAR * far, _NEAR * tip], axis=1)
     return (radius[:, :, None] * np.exp(1j * _TURNS)).reshape(len(rows), _GRID)
 
 
-def polish(halves: Halves, rows: Any, z: Any, known: Any = None, steps: int = _STEPS) -> Any:
+def polish(halves: Halves, rows: Any, z: Any, known: Any = None, steps: int = _STEPS) -> Complexes:
     """The roots that the guesses z lead to, folded into Re z ≥ 0; nan where they lead nowhere.
 
     known: roots to be divided out, shape (guesses, k), nan for none.
@@ -152,7 +153,9 @@ def polish(halves: Halves, rows: Any, z: Any, known: Any = None, steps: int = _S
     return np.where(result.real < 0, -result.conj(), result)
 
 
-def _step(halves: Halves, rows: Any, z: Any, pole: Any, near: Any) -> tuple[Any, Any, Any]:
+def _step(
+    halves: Halves, rows: Integers, z: Any, pole: Any, near: Complexes | None
+) -> tuple[Complexes, Reals, Complexes]:
     """The step in z, a bound of its size that no accident makes small (t and −t are one z), and the p-roots."""
     upper = z.imag > 0
     slope, near = log_slope(halves.group, rows + len(halves) * upper, np.where(upper, z.conj(), z), near)
@@ -162,7 +165,7 @@ def _step(halves: Halves, rows: Any, z: Any, pole: Any, near: Any) -> tuple[Any,
     return (2 * t + step) * step, (2 * np.abs(t) + np.abs(step)) * np.abs(step), near
 
 
-def snapped(halves: Halves, rows: Any, z: Any) -> Any:
+def snapped(halves: Halves, rows: Integers, z: Any) -> Any:
     """Roots next to a line of symmetry put on it: the imaginary axis, and the gap of the real one without damping."""
     z = z.copy()
     with np.errstate(invalid="ignore"):
@@ -183,7 +186,7 @@ def snapped(halves: Halves, rows: Any, z: Any) -> Any:
     return z
 
 
-def distinct(halves: Halves, entries: Any, z: Any, width: int) -> Any:
+def distinct(halves: Halves, entries: Any, z: Any, width: int) -> Complexes:
     """The first `width` different roots of every row (of these entries), padded with nan.
 
     Joined cuts part the sheet in two: roots on different sides are different, however close they are.
@@ -202,7 +205,7 @@ def distinct(halves: Halves, entries: Any, z: Any, width: int) -> Any:
     return found
 
 
-def whole_sheet(halves: Halves, z: Any) -> Any:
+def whole_sheet(halves: Halves, z: Any) -> Complexes:
     """q, scaled: roots with Re q ≥ 0 and their mirrors −q̄, exactly in pairs q, q̄ without damping; each row sorted."""
     z, undamped = z.copy(), halves.height == 0
     with np.errstate(invalid="ignore"):

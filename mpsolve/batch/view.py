@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError, MpsolveError
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import reduce_problem
 from mpsolve.spectrum.candidates import Area, search
@@ -39,8 +40,8 @@ class View:
 
     problem: Problem
     window: Window
-    roots: Any = field(default_factory=lambda: np.zeros(0, complex))
-    cuts: tuple[Any, ...] = ()
+    roots: Complexes = field(default_factory=lambda: np.zeros(0, complex))
+    cuts: tuple[Complexes, ...] = ()
     height: float = 0.0
     refused: str = ""
     seconds: float = 0.0
@@ -93,7 +94,7 @@ def free_height(problem: Problem, window: Window) -> float:
     return min(float(lowest_cut(problem.track)[0]) * 15 / 16, window.height)
 
 
-def cuts_in(problem: Problem, window: Window) -> tuple[Any, ...]:
+def cuts_in(problem: Problem, window: Window) -> tuple[Complexes, ...]:
     """q = vp + Ω_k(p) for the wavenumbers that lead into the window."""
     v, track = float(problem.v), problem.track.waveguide
     reach = 1.0

@@ -6,12 +6,16 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Complexes, Reals
+
 _REACH = 1200.0
 """Exponents up to this are taken as products of waves; beyond it the distances are taken one by one."""
 _EQUAL = 1e-14
 
 
-def wave_sums(z: Any, weights: tuple[Any, Any, Any], x: Any, up: int) -> tuple[Any, Any]:
+def wave_sums(
+    z: Any, weights: tuple[Complexes, Complexes | None, Complexes | None], x: Any, up: int
+) -> tuple[Complexes, Any]:
     """G_ij and its slope: over the upper roots where ξ_i ≥ ξ_j, minus those over the lower ones elsewhere."""
     gaps = np.diff(x)
     if x.shape[1] > 1 and (gaps[:, 0] > 0).all() and (np.abs(gaps - gaps[:, :1]) <= _EQUAL * gaps[:, :1]).all():
@@ -46,7 +50,9 @@ def wave_sums(z: Any, weights: tuple[Any, Any, Any], x: Any, up: int) -> tuple[A
     return G, sided(a) + xi * sided(b)
 
 
-def _of_equal_gaps(z: Any, weights: tuple[Any, Any, Any], gap: Any, count: int, up: int) -> tuple[Any, Any]:
+def _of_equal_gaps(
+    z: Any, weights: tuple[Complexes, Complexes | None, Complexes | None], gap: Reals, count: int, up: int
+) -> tuple[Any, Any]:
     """The same where all gaps are equal: 2·count − 1 sums are the whole matrix, and no wave grows."""
     ahead = np.arange(z.shape[1]) < up
     step = np.exp(np.where(ahead, z, -z).T * gap)
@@ -55,7 +61,7 @@ def _of_equal_gaps(z: Any, weights: tuple[Any, Any, Any], gap: Any, count: int, 
     for k in range(1, count):
         waves[k] *= waves[k - 1]
 
-    def lined(weight: Any) -> Any:
+    def lined(weight: Any) -> Complexes:
         """(points, 2·count − 1): by i − j from 1 − count on."""
         terms = waves * weight.T
         line = np.zeros((len(z), 2 * count - 1), complex)
@@ -66,7 +72,7 @@ def _of_equal_gaps(z: Any, weights: tuple[Any, Any, Any], gap: Any, count: int, 
                 line[:, : count - 1] -= terms[:0:-1, k].T
         return line
 
-    def matrix(line: Any) -> Any:
+    def matrix(line: Complexes) -> Complexes:
         whole, one = line.strides
         shape, strides = (len(line), count, count), (whole, one, -one)
         return np.ascontiguousarray(np.lib.stride_tricks.as_strided(line[:, count - 1 :], shape, strides))
@@ -90,7 +96,7 @@ def _added(left: Any, right: Any) -> Any:
     return out
 
 
-def _one_by_one(z: Any, weight: Any, x: Any, up: int) -> Any:
+def _one_by_one(z: Any, weight: Complexes, x: Any, up: int) -> Complexes:
     """The same from gap to gap, where products of waves leave the range of float64."""
     count = x.shape[1]
     out = np.zeros((len(z), count, count), complex)

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.several import Ring
 from mpsolve.tracks.waveguide import Track, Waveguide, over_ring
 
@@ -26,7 +27,7 @@ class Expanded:
     terms: dict[Key, tuple[tuple[tuple[int, ...], float], ...]]
     names: tuple[str, ...]
 
-    def at(self, values: Mapping[str, Any], size: int) -> dict[Key, Any]:
+    def at(self, values: Mapping[str, Any], size: int) -> dict[Key, Reals]:
         """c for each (i, j) as arrays of this size; values: arrays, or numbers, by name."""
         out = {}
         for key, terms in self.terms.items():

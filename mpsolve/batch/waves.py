@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Complexes, Reals, Truths
 from mpsolve.numbers.float64 import companions, polynomial_and_slope
 
 _STEPS = 10
@@ -17,7 +18,7 @@ _SIDES = 0.4
 _THIRDS = np.exp(2j * np.pi * np.arange(3) / 3)
 
 
-def by_companions(D: Any) -> Any:
+def by_companions(D: Any) -> Complexes:
     """The roots of Σ D[:, i] z^i by eigenvalues, shape (len(D), degree); nan where D is not finite."""
     C = companions(D)
     fine: Any = np.isfinite(C).all((1, 2))
@@ -77,7 +78,7 @@ def _repulsion(z: Any) -> Any:
     return out
 
 
-def upper_first(z: Any, up: int, drift: Any) -> Any:
+def upper_first(z: Any, up: int, drift: Any) -> Complexes:
     """Each row with its `up` roots of smallest real part first; drift(rows, z) = dP/dσ settles ties on the axis."""
     key = z.real.copy()
     n = z.shape[1]
@@ -89,7 +90,7 @@ def upper_first(z: Any, up: int, drift: Any) -> Any:
     return np.take_along_axis(z, np.argsort(key, 1), 1)
 
 
-def passes_branch(z: Any, up: int) -> Any:
+def passes_branch(z: Any, up: int) -> Truths:
     """Whether G may have a branch point between a point and the next: an upper and a lower p-root come together.
 
     That is so where a root moves by more than a part of its distance to the other side.
@@ -106,7 +107,7 @@ def passes_branch(z: Any, up: int) -> Any:
     return out
 
 
-def moved_between(z: Any, weight: Any) -> Any:
+def moved_between(z: Any, weight: Reals) -> Reals:
     """The largest move of a p-root from each point to the next; weight: of each root at the later points."""
     before, after = z[:-1], z[1:]
     out = np.zeros(len(after))
@@ -115,7 +116,7 @@ def moved_between(z: Any, weight: Any) -> Any:
     return out
 
 
-def felt(z: Any, shortest: Any, longest: Any) -> Any:
+def felt(z: Any, shortest: Reals, longest: Reals) -> Any:
     """The largest ξ |e^{zξ}| over the distances between these: how much a move of a root turns what it adds to G."""
     decay = np.abs(z.real)
     with np.errstate(all="ignore"):
@@ -123,7 +124,7 @@ def felt(z: Any, shortest: Any, longest: Any) -> Any:
         return xi * np.exp(-decay * xi)
 
 
-def _nearest(one: Any, other: Any) -> Any:
+def _nearest(one: Any, other: Complexes) -> Any:
     out = np.abs(one - other[:, 0])
     for j in range(1, other.shape[1]):
         out = np.minimum(out, np.abs(one - other[:, j]))

@@ -123,7 +123,7 @@ def _nonzero(f: Function, low: Fraction, high: Fraction) -> bool:
         return False
 
 
-def _sharp(near: Near, low: Any, high: Any, digits: int) -> Any:
+def _sharp(near: Near, low: Fraction, high: Fraction, digits: int) -> Any:
     """The one zero of a tile as a real ball: interval Newton from its middle, which must end in the tile."""
     tile_ball = hull((low, low), (high, high)).real
     seeds = [(low + high) / 2, low, high, *(low + (high - low) * k / 8 for k in range(1, 8))]

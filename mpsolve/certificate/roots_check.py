@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 from time import process_time
-from typing import Any
+from typing import TYPE_CHECKING
 
 from mpsolve.outcome import Reason, Status
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort, begun
 from mpsolve.zeros.answer import Zeros
+
+if TYPE_CHECKING:
+    from mpsolve.certificate.format import Certificate
 
 _EVALUATIONS = 400_000
 _REMEDY = "report this as a fault, with the input"
@@ -20,7 +23,7 @@ def budget_of(effort: Effort | None) -> Effort:
     return begun(effort, _EVALUATIONS)
 
 
-def checked(answer: Zeros, certificate: Any, check: bool, tell: Progress) -> Zeros:
+def checked(answer: Zeros, certificate: Certificate, check: bool, tell: Progress) -> Zeros:
     """The answer with the verifier's word on its certificate."""
     if not check:
         return replace(answer, certificate=certificate)

@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.bordering import Bordering
-from mpsolve.characteristic.discs import split
+from mpsolve.characteristic.discs import Splittings, split
 from mpsolve.characteristic.residues import receptances, waves
 from mpsolve.characteristic.table import Table
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Complexes, Integers, Reals, Truths
 from mpsolve.numbers.jets import TINY, UP, Jet, U, joined, nearest
 from mpsolve.problem.reduced import Reduced
 
@@ -33,26 +34,26 @@ class Arrays:
         return Table.of(self.reduced.guide.N)
 
     @cached_property
-    def _alone(self) -> tuple[Bordering, Any]:
+    def _alone(self) -> tuple[Bordering, Reals]:
         return self._bordering(0)
 
     @cached_property
     def _beside(self) -> tuple[Bordering, Any]:
         return self._bordering(1)
 
-    def _bordering(self, waves: int) -> tuple[Bordering, Any]:
+    def _bordering(self, waves: int) -> tuple[Bordering, Reals]:
         border = Bordering.of(self.reduced, waves=waves)
         return border, self._table(border.polynomials)
 
-    def _table(self, polynomials: Sequence[Any]) -> Any:
+    def _table(self, polynomials: Sequence[Sequence[Fraction]]) -> Reals:
         """Their coefficients in σ, shape (3, polynomials)."""
         return np.array([self._about(*f, *[Fraction(0)] * (3 - len(f))) for f in polynomials]).T
 
-    def _about(self, *f: Fraction) -> list[Any]:
+    def _about(self, *f: Fraction) -> list[float]:
         return list(map(nearest, f))
 
     @cached_property
-    def distances(self) -> tuple[Any, Any]:
+    def distances(self) -> tuple[Reals, Integers]:
         """The signed distances of pairs of places, once each, and for each pair of places its number."""
         places = self.reduced.places
         exact = sorted({a - b for a in places for b in places})
@@ -65,14 +66,18 @@ class Arrays:
         """The P from which the waves are counted."""
         return 0j
 
-    def evaluate(self, m: Any, r: Any, up: int, nodes: Any = None) -> tuple[Any, Jet, Any]:
+    def evaluate(
+        self, m: Complexes, r: Reals, up: int, nodes: Complexes | None = None
+    ) -> tuple[Splittings, Jet, Truths]:
         """(splittings, G between the places as jets of shape (discs, places, places), where it is bounded)."""
         s = split(self.D, m, r, up, nodes)
         distances, pairs = self.distances
         values = receptances(self.N, self.D, s, distances)
         return s, values.jet[:, pairs], values.good
 
-    def without_pole(self, m: Any, r: Any, up: int, nodes: Any, at: complex) -> tuple[Any, Jet, Jet, Any]:
+    def without_pole(
+        self, m: Complexes, r: Reals, up: int, nodes: Complexes, at: complex
+    ) -> tuple[Splittings, Jet, Jet, Truths]:
         """(splittings, H, g, where they are bounded): G(ξ) = e^{at·ξ}(g + H(ξ)), g = G(0), whatever `at` is.
 
         Next to a branch point where one pair of roots meets, at P = `at`, g alone has a pole; H is at least bounded.
@@ -92,13 +97,13 @@ class Arrays:
         good = alone & s.good & np.isfinite(H.e).all(1) & np.isfinite(g.e)
         return s, H[:, pairs], g, good
 
-    def beside_pole(self, H: Jet, g: Jet, m: Any, at: complex) -> Jet:
+    def beside_pole(self, H: Jet, g: Jet, m: Complexes, at: complex) -> Jet:
         """A matrix with the determinant Δ̂/g up to a constant, from H and g of `without_pole`."""
         places = np.array([nearest(self.reduced.places[k]) for k in self.reduced.index])
         v, back = (_constant(np.exp(sign * at * places), H.r, 4 * U * np.abs(at * places)) for sign in (1, -1))
         return self._filled(self._beside, m, [self._by_distance(H), v, -back, g.inverse()[:, None]])
 
-    def matrix(self, G: Jet, m: Any) -> Jet:
+    def matrix(self, G: Jet, m: Complexes) -> Jet:
         """The reduced characteristic matrix on the discs round m, from G between the places."""
         return self._filled(self._alone, m, [self._by_distance(G)])
 
@@ -107,12 +112,12 @@ class Arrays:
         first, second = self._alone[0].one_each
         return G[:, contact[first], contact[second]]
 
-    def _filled(self, bordering: tuple[Bordering, Any], m: Any, g: list[Jet]) -> Jet:
+    def _filled(self, bordering: tuple[Bordering, Reals], m: Complexes, g: list[Jet]) -> Jet:
         border, table = bordering
         filled: Jet = border.matrix(_polynomials(table, m, g[0].r), joined(g), joined)
         return filled
 
-    def shaken(self, contact: int, m: Any, r: Any) -> Jet:
+    def shaken(self, contact: int, m: Complexes, r: Reals) -> Jet:
         """The right side of `matrix`·x for an unevenness of the rail under one contact, shape (discs, n, 1).
 
         It has the size 1, or for a direct contact the size b/S of its body where that is coupled to no other body: as
@@ -137,7 +142,7 @@ class Arrays:
         return len(self._alone[0].kept)
 
 
-def _polynomials(table: Any, m: Any, r: Any) -> Jet:
+def _polynomials(table: Reals, m: Complexes, r: Reals) -> Jet:
     """On the discs, from coefficients of which each is rounded to nearest."""
     c0, c1, c2 = table
     z, radius = m[:, None], r[:, None]
@@ -146,7 +151,7 @@ def _polynomials(table: Any, m: Any, r: Any) -> Jet:
     return Jet(c0 + c1 * z + c2 * z * z, c1 + 2 * c2 * z, e, r)
 
 
-def _constant(values: Any, r: Any, lost: Any) -> Jet:
+def _constant(values: Any, r: Reals, lost: Any) -> Jet:
     """lost: a bound of relative errors beside those of rounding."""
     a = np.broadcast_to(values.astype(complex), (len(r), *values.shape))
     return Jet(a, np.zeros(a.shape, complex), (2 * U + lost) * np.abs(a), r)

@@ -145,7 +145,7 @@ class Bordering:
         return K.matrix(self.slope(f, vector(g), f_slope, vector(g_slope)))
 
     @cached_property
-    def _rates(self) -> list[tuple[Any, ...]]:
+    def _rates(self) -> list[tuple[Fraction, ...]]:
         return [tuple(k * c for k, c in enumerate(row))[1:] or (Fraction(0),) for row in self.polynomials]
 
 
@@ -159,7 +159,7 @@ def _taken(x: Any, numbers: Any) -> Any:
     return np.take(x, numbers, -1) if isinstance(x, np.ndarray) else x.taken(numbers)
 
 
-def _values(K: Arithmetic, sigma: Any, rows: Sequence[Any]) -> Any:
+def _values(K: Arithmetic, sigma: Any, rows: Sequence[Sequence[Fraction]]) -> Any:
     return vector([K.evaluate(row, sigma) for row in rows])
 
 

@@ -16,6 +16,7 @@ import numpy as np
 
 from mpsolve.characteristic.discs import Splittings, contraction, linked, side_nodes
 from mpsolve.characteristic.start import start
+from mpsolve.numbers.arrays import Complexes, Integers, Reals
 from mpsolve.numbers.forms import Forms
 from mpsolve.numbers.jets import TINY, UP, U
 from mpsolve.numbers.quadratic import Quadratic
@@ -37,18 +38,18 @@ class Boxes:
     r: Any
     origin: complex = 0.0
     way: complex = 1j
-    slope: Any | None = None
+    slope: Reals | None = None
 
     @property
     def count(self) -> int:
         return int(self.m.shape[1])
 
-    def take(self, rows: Any) -> Boxes:
+    def take(self, rows: Integers) -> Boxes:
         slope = None if self.slope is None else self.slope[rows]
         return Boxes(self.m[:, rows], self.r[:, rows], self.origin, self.way, slope)
 
     @property
-    def variables(self) -> tuple[Any, Any]:
+    def variables(self) -> tuple[Complexes, Complexes]:
         """(y, ρ) with y + ρ u = (σ̂, x̂) over the box; with slopes ρ is a matrix for each box, see `Forms`."""
         y, rho = self.m.astype(complex), self.r.astype(complex)
         if self.slope is None or not self.slope.any():
@@ -76,10 +77,10 @@ class Wave:
     D: Quadratic
     z: Any
     up: int
-    tight: Any
-    low: Any
+    tight: Reals
+    low: Reals
     good: Any
-    strain: Any
+    strain: Reals
 
     def take(self, rows: Any) -> Wave:
         """Those of some boxes."""
@@ -116,7 +117,7 @@ class FreeTrack:
             rows[i] |= {(j, *exponents): c for exponents, c in several}
         return Forms.of(rows, self.variables)
 
-    def nodes(self, D: Quadratic) -> tuple[Any, Any]:
+    def nodes(self, D: Quadratic) -> tuple[Complexes, Reals]:
         """(floats near the roots at the middles, those of U first; |lead| is at least this over each box)."""
         lead = D[:, -1]
         return side_nodes(D.k[0][:, None, :], self.up), (np.abs(lead.a) - lead.spread) * (1 - 64 * U)
@@ -162,28 +163,28 @@ def gaps(z: Any) -> Any:
     return gap
 
 
-def _weights(value: Quadratic, size: Any, low: Any) -> Any:
+def _weights(value: Quadratic, size: Reals, low: Reals) -> Reals:
     """Bounds of |W_k|, ∞ where there is none."""
     below = size.prod(2) * low[:, None]
     W = value.size / below * (1 + 64 * size.shape[1] * U) * UP + TINY
     return np.where((low[:, None] > 0) & (below > TINY), W, np.inf)
 
 
-def _thin(still: Quadratic, z: Any, low: Any, up: int) -> Splittings:
+def _thin(still: Quadratic, z: Any, low: Reals, up: int) -> Splittings:
     """The pair at the middles of the boxes."""
     size, zero = gaps(z), np.zeros(len(z))
     box, tight, done = contraction(_weights(at(still, z), size, low), size, up)
     return Splittings(zero, zero, z, up, box, tight, done, zero, zero)
 
 
-def _told_apart(z: Any, up: int, tight: Any) -> Any:
+def _told_apart(z: Any, up: int, tight: Reals) -> Any:
     """The roots of U have Re P < 0, those of L Re P > 0: each lies within (their number) |a_k| of some node."""
     upper = z[:, :up].real + up * tight[:, :up] * UP
     lower = z[:, up:].real - (z.shape[1] - up) * tight[:, up:] * UP
     return (upper < 0).all(1) & (lower > 0).all(1)
 
 
-def _spread(D: Quadratic, z: Any, low: Any, up: int) -> Any:
+def _spread(D: Quadratic, z: Any, low: Reals, up: int) -> Any:
     """Nodes of one side that are closer than the box moves their roots are put that far apart."""
     z = z.copy()
     size, moved = gaps(z), at(D, z).spread

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.boxes import Wave, at
+from mpsolve.numbers.arrays import Complexes, Reals, Truths
 from mpsolve.numbers.jets import TINY, UP, U, exponential
 from mpsolve.numbers.quadratic import Quadratic
 
@@ -40,7 +41,7 @@ def by_circles(wave: Wave, N: Quadratic, xi: Quadratic, upper: bool, fixed: bool
     return Quadratic(sums.k, (sums.e + aliasing(wave, N, circles, xi)) * UP, sums.m)
 
 
-def samples(wave: Wave, N: Quadratic, circles: Circles) -> tuple[Quadratic, Any]:
+def samples(wave: Wave, N: Quadratic, circles: Circles) -> tuple[Quadratic, Complexes]:
     """(N/D at the points of the active circles times their share of the integral over 2πi, the points)."""
     boxes = len(wave.z)
     turn = exponential(2j * np.pi * np.arange(SAMPLES) / SAMPLES)[0]
@@ -55,7 +56,7 @@ def samples(wave: Wave, N: Quadratic, circles: Circles) -> tuple[Quadratic, Any]
     return Quadratic(np.where(idle, 0, f.k), np.where(idle, 0.0, f.e), f.m), points
 
 
-def _summed(f: Quadratic, points: Any, xi: Quadratic, fixed: bool) -> Quadratic:
+def _summed(f: Quadratic, points: Complexes, xi: Quadratic, fixed: bool) -> Quadratic:
     """Σ f e^{Pξ} over the points."""
     if not fixed:
         phase = Quadratic(xi.k[:, :, None, :], xi.e[:, None, :], xi.m).times(points[:, :, None])
@@ -64,7 +65,7 @@ def _summed(f: Quadratic, points: Any, xi: Quadratic, fixed: bool) -> Quadratic:
     return summed(f, points, xi.a)
 
 
-def summed(f: Quadratic, points: Any, xi: Any) -> Quadratic:
+def summed(f: Quadratic, points: Complexes, xi: Any) -> Quadratic:
     """Σ f e^{Pξ} over the points, for numbers ξ of shape (boxes, distances)."""
     wave, lost = exponential(points[:, :, None] * xi[:, None, :])
     lost = lost + (2 * NOISE + 8 * U) * np.abs(points)[:, :, None] * np.abs(xi)[:, None, :]
@@ -80,14 +81,14 @@ def summed(f: Quadratic, points: Any, xi: Any) -> Quadratic:
 class Circles:
     """Shape (boxes, circles): centre and radius, the radii between which f is analytic, which of them count."""
 
-    centre: Any
-    radius: Any
-    inner: Any
-    outer: Any
-    active: Any
+    centre: Complexes
+    radius: Reals
+    inner: Reals
+    outer: Reals
+    active: Truths
 
 
-def circles_of(wave: Wave, own: Any, reach: Any, off_axis: bool = False) -> Circles:
+def circles_of(wave: Wave, own: Truths, reach: Any, off_axis: bool = False) -> Circles:
     """A circle for each group of roots of one side, at the number of its first root; reach: the largest distance.
 
     A circle stays so small that e^{Pξ} grows little on it: what the models leave out is multiplied by that. off_axis:
@@ -117,7 +118,7 @@ def circles_of(wave: Wave, own: Any, reach: Any, off_axis: bool = False) -> Circ
     return Circles(centre, radius, inner + _INNER * (radius - inner), _OUTER * outer, active)
 
 
-def aliasing(wave: Wave, N: Quadratic, circles: Circles, xi: Quadratic) -> Any:
+def aliasing(wave: Wave, N: Quadratic, circles: Circles, xi: Quadratic) -> Reals:
     """What the samples cannot see, shape (boxes, distances); ∞ where f is not bounded on the two circles.
 
     There |D| ≥ |lead| Π |P − z_k| (1 − Σ |a_k|/|P − z_k|) for both sides, so that no root of D lies between them.

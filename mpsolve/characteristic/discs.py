@@ -18,6 +18,7 @@ import numpy as np
 
 from mpsolve.characteristic.table import Table
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Complexes, Reals, Truths
 from mpsolve.numbers.float64 import companions, polynomial_and_slope
 from mpsolve.numbers.jets import TINY, UP, U, powers_up_to
 
@@ -29,14 +30,14 @@ class Splittings:
     """On each disc |σ − m| ≤ r: exactly one pair has |a_k| ≤ box_k, and it has |a_k| ≤ tight_k, where `good`."""
 
     m: Any
-    r: Any
+    r: Reals
     z: Any
     up: int
-    box: Any
-    tight: Any
+    box: Reals
+    tight: Reals
     good: Any
     T: Any
-    error: Any
+    error: Reals
 
     def take(self, rows: Any) -> Splittings:
         parts = (self.m, self.r, self.z, self.box, self.tight, self.good, self.T, self.error)
@@ -44,7 +45,7 @@ class Splittings:
         return Splittings(m, r, z, self.up, box, tight, good, T, error)
 
 
-def split(table: Table, m: Any, r: Any, up: int, nodes: Any = None) -> Splittings:
+def split(table: Table, m: Complexes, r: Reals, up: int, nodes: Complexes | None = None) -> Splittings:
     """Splittings on the discs |σ − m| ≤ r with `up` roots in U: those of smallest Re P, or the first of `nodes`."""
     with np.errstate(all="ignore"):
         T, error = table.in_time(m)
@@ -65,7 +66,7 @@ def split(table: Table, m: Any, r: Any, up: int, nodes: Any = None) -> Splitting
         return Splittings(m, r, z, up, box, image, done, T, error)
 
 
-def contraction(W: Any, size: Any, up: int) -> tuple[Any, Any, Any]:
+def contraction(W: Reals, size: Any, up: int) -> tuple[Reals, Reals, Truths]:
     """(β, the bounds of |a_k| that follow, where a_k = W_k/(1 + Σ b_l/(z_k − z_l)) contracts); size: |z_k − z_l|."""
     inverse = (1 + 8 * U) / size
     inverse[:, :up, :up] = 0
@@ -83,7 +84,7 @@ def contraction(W: Any, size: Any, up: int) -> tuple[Any, Any, Any]:
     return box, image, done
 
 
-def near_roots(coefficients: Any) -> Any:
+def near_roots(coefficients: Complexes) -> Any:
     """Floats near the roots of each polynomial (coefficients ascending), in no order."""
     C = companions(coefficients)
     z: Any = np.linalg.eigvals(np.where(np.isfinite(C), C, 0))
@@ -94,7 +95,7 @@ def near_roots(coefficients: Any) -> Any:
     return z
 
 
-def side_nodes(T: Any, up: int) -> Any:
+def side_nodes(T: Complexes, up: int) -> Any:
     """Floats near the roots of Σ T[:, 0, i] P^i, those of U first, never two the same.
 
     T[:, j, i] belongs to P^i t^j. Of roots with one real part those come first that would have the smaller one

@@ -49,7 +49,7 @@ def factor_balls(symbol: Symbol, sigma: Any, z: Any, upper: int) -> Factors:
     raise PrecisionError("the factors U and L cannot be proved over the ball: split the piece")
 
 
-def _centre(D: list[Any], z: Any, upper: int) -> tuple[list[Any], list[Any]]:
+def _centre(D: list[Any], z: Any, upper: int) -> tuple[list[acb], list[acb]]:
     """Newton's method for the factors of the midpoint polynomial."""
     nodes = [exact_ball(complex(x)) for x in z]
     U, L = list(monic(nodes[:upper])), list(monic(nodes[upper:]))
@@ -70,7 +70,7 @@ def sides(factors: Factors, z: Any, upper: int) -> bool:
     )
 
 
-def _on_side(part: Sequence[Any], nodes: Sequence[Any], sign: int) -> bool:
+def _on_side(part: Sequence[acb], nodes: Sequence[acb], sign: int) -> bool:
     """By Gershgorin's discs of the monic polynomial about the nodes."""
     polynomial = acb_poly([*part, 1])
     for k, x in enumerate(nodes):
@@ -82,7 +82,7 @@ def _on_side(part: Sequence[Any], nodes: Sequence[Any], sign: int) -> bool:
     return True
 
 
-def _spread_out(nodes: Sequence[Any], gap: float) -> list[Any]:
+def _spread_out(nodes: Sequence[Any], gap: float) -> list[acb]:
     """Nodes that keep a distance, moved a little along the imaginary axis where they do not."""
     points = sorted((complex(x) for x in nodes), key=lambda x: (x.imag, x.real))
     for _ in range(len(points)):

@@ -20,6 +20,7 @@ from mpsolve.characteristic.receptance import Coefficients, by_companions
 from mpsolve.characteristic.splitting import Splitting, monic, sharpened, upper_count
 from mpsolve.characteristic.symbol import Symbols, horner, slope_in_P
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Complexes, Truths
 from mpsolve.numbers.float64 import Float64
 from mpsolve.problem.reduced import Guide, Reduced
 
@@ -45,7 +46,7 @@ class Receptance:
         """n₊, proved."""
         return upper_count(self.symbols.D)
 
-    def roots(self, sigma: Any, along: bool = False) -> Any:
+    def roots(self, sigma: Any, along: bool = False) -> Complexes:
         """The p-roots, shape (len(σ), degree), upper ones first. along: neighbours in σ are near each other."""
         D = np.stack([np.broadcast_to(c, sigma.shape) for c in self.symbols.D.at(_K, sigma)], -1)
         z = followed(D) if along else eigenvalues(D)
@@ -72,7 +73,9 @@ class Receptance:
             *([np.asarray(c)[..., None] for c in x.at(_K, sigma)] for x in (s.D, s.N, s.D_sigma, s.N_sigma))
         )
 
-    def __call__(self, sigma: Any, xi: Sequence[Fraction], slope: bool = True) -> tuple[list[Any], list[Any]]:
+    def __call__(
+        self, sigma: Any, xi: Sequence[Fraction], slope: bool = True
+    ) -> tuple[list[Complexes], list[Complexes]]:
         """G(ξ, σ) for each exact ξ as arrays over σ, and where asked its slope in σ."""
         z = self.roots(sigma)
         near = self._meet(z)
@@ -85,7 +88,9 @@ class Receptance:
                     row[near] = values
         return G, G_sigma
 
-    def together(self, sigma: Any, z: Any, xi: Sequence[Fraction], slope: bool) -> tuple[list[Any], list[Any]]:
+    def together(
+        self, sigma: Any, z: Any, xi: Sequence[Fraction], slope: bool
+    ) -> tuple[list[Complexes], list[Complexes]]:
         """The same from the p-roots z, also where some of one side meet; slower."""
         D = [np.broadcast_to(c, sigma.shape) for c in self.symbols.D.at(_K, sigma)]
         U, L = (list(monic([side[:, k] for k in range(side.shape[1])])) for side in self._sides(z))
@@ -93,7 +98,7 @@ class Receptance:
             U, L = sharpened(_K, D, U, L)
         return by_companions(_K, self.symbols, Splitting(D[-1], tuple(U), tuple(L)), sigma, xi, slope)
 
-    def waves(self, sigma: Any) -> tuple[Any, Any]:
+    def waves(self, sigma: Any) -> tuple[Complexes, Complexes]:
         """The p-roots z, upper ones first, and the residues w of N/D there, where they are simple.
 
         G(ξ ≥ 0) is the sum of w e^{zξ} over the `upper` first, G(ξ < 0) minus that over the others.
@@ -104,10 +109,10 @@ class Receptance:
             z = z - horner(local.D, z) / horner(slope, z)
             return z, horner(local.N, z) / horner(slope, z)
 
-    def _sides(self, z: Any) -> tuple[Any, Any]:
+    def _sides(self, z: Any) -> tuple[Complexes, Complexes]:
         return z[:, : self.upper], z[:, self.upper :]
 
-    def _meet(self, z: Any) -> Any:
+    def _meet(self, z: Any) -> Truths:
         """Where two roots of one side are near."""
         near = np.zeros(len(z), bool)
         for side in self._sides(z):
@@ -116,7 +121,9 @@ class Receptance:
             near |= (np.abs(one - other) < reach * (1 - np.eye(side.shape[1]))).any((1, 2))
         return near
 
-    def _residues(self, sigma: Any, z: Any, xi: Sequence[Fraction], slope: bool) -> tuple[list[Any], list[Any]]:
+    def _residues(
+        self, sigma: Any, z: Any, xi: Sequence[Fraction], slope: bool
+    ) -> tuple[list[Complexes], list[Complexes]]:
         local = self._local(sigma)
         z = z - horner(local.D, z) / horner(slope_in_P(local.D), z)
         terms = local.terms(z)
@@ -154,7 +161,7 @@ class Floats:
         G, G_sigma = self.receptance(sigma, self.border.distances)
         return self.border.at(_K, sigma, G), self.border.slope_at(_K, sigma, G, G_sigma)
 
-    def delta(self, sigma: Any) -> tuple[Any, Any]:
+    def delta(self, sigma: Any) -> tuple[Complexes, Complexes]:
         """Δ̂ and dΔ̂/dσ on an array of σ."""
         return det_and_slope(*self.matrices(sigma))
 
@@ -169,7 +176,7 @@ def det_and_slope(A: Any, A_sigma: Any) -> tuple[Any, Any]:
     return value, slope
 
 
-def _adjugate(A: Any) -> Any:
+def _adjugate(A: Complexes) -> Any:
     """For singular matrices too, from singular values."""
     left, sizes, right = np.linalg.svd(A)
     n = A.shape[-1]

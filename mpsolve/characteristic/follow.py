@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.symbol import horner, slope_in_P
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.float64 import companions
 
 _EVERY = 5
@@ -18,7 +19,7 @@ _STEPS = 5
 _SURE = 1e-10
 
 
-def followed(D: Any) -> Any:
+def followed(D: Any) -> Complexes:
     """The roots of each row of D (rows, degree + 1), coefficients from the constant term up; (rows, degree)."""
     rows, degree = len(D), D.shape[1] - 1
     if rows <= 2 * _EVERY or degree < 3:
@@ -36,7 +37,7 @@ def followed(D: Any) -> Any:
     return z
 
 
-def eigenvalues(D: Any) -> Any:
+def eigenvalues(D: Any) -> Complexes:
     """The same, each row by the eigenvalues of its companion matrix."""
     return np.linalg.eigvals(companions(D))
 

@@ -10,13 +10,14 @@ import numpy as np
 
 from mpsolve.characteristic.floats import Receptance
 from mpsolve.errors import InputError
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.model import rational, shown
 from mpsolve.problem.reduced import track_guide
 from mpsolve.tracks.at_rest import Status, at_rest
 from mpsolve.tracks.waveguide import Track, Waveguide
 
 
-def receptance(track: Any, xi: Any, omega: Any, v: object = 0) -> Any:
+def receptance(track: Any, xi: Any, omega: Any, v: object = 0) -> Complexes:
     """Displacement of the rail per unit force, float64, complex, shape (len(xi), len(omega)).
 
     A force e^{iωt} that moves along the track at the velocity v deflects the rail at the distance ξ ahead of it

@@ -5,16 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from mpsolve.characteristic.bordering import Bordering
 from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_receptance import FreeReceptance, Receptances
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.forms import Forms
 from mpsolve.numbers.quadratic import Quadratic, joined
 from mpsolve.problem.family import Family
+
+if TYPE_CHECKING:
+    from mpsolve.numbers.several import Several
 
 
 @dataclass(frozen=True)
@@ -25,7 +29,7 @@ class FreeMatrix:
     """
 
     family: Family
-    push: Any = None
+    push: tuple[tuple[Several, Several], ...] | None = None
 
     @cached_property
     def receptance(self) -> FreeReceptance:
@@ -51,11 +55,11 @@ class FreeMatrix:
         with np.errstate(all="ignore"):
             return self.assembled(found.G, y, rho), found
 
-    def polynomials(self, y: Any, rho: Any) -> Quadratic:
+    def polynomials(self, y: Any, rho: Complexes) -> Quadratic:
         """Over boxes, shape (boxes, polynomials)."""
         return self._forms(y, rho)
 
-    def assembled(self, G: Quadratic, y: Any, rho: Any) -> Quadratic:
+    def assembled(self, G: Quadratic, y: Any, rho: Complexes) -> Quadratic:
         """A from G between the places."""
         contact = np.array(self.family.index)
         first, second = self.border.one_each
@@ -63,6 +67,6 @@ class FreeMatrix:
         return model
 
 
-def forms_of(polynomials: Sequence[Any], variables: int) -> Forms:
+def forms_of(polynomials: Sequence[Sequence[Several]], variables: int) -> Forms:
     """Of polynomials in σ whose coefficients are some in the parameters."""
     return Forms.of([{(k, *e): x for k, c in enumerate(f) for e, x in c} for f in polynomials], variables)

@@ -27,7 +27,7 @@ class BallSymbol:
         self._terms, self._x = polynomial, x
         self.rows: tuple[Any, ...] = ((),) * size
 
-    def balls(self) -> list[Any]:
+    def balls(self) -> list[acb_poly]:
         """The rows as polynomials in σ at the precision that is set."""
         rows: list[dict[int, Any]] = [{} for _ in self.rows]
         for (i, j), c in self._terms.items():
@@ -80,7 +80,7 @@ class FreeProved:
             out.append((first, second))
         return out
 
-    def matrices(self, sigma: Any, x: Sequence[Any], slopes: bool = True) -> tuple[Any, list[Any]]:
+    def matrices(self, sigma: Any, x: Sequence[Any], slopes: bool = True) -> tuple[acb_mat, list[acb_mat]]:
         """(A, [∂A/∂σ, ∂A/∂x₁, …]); `PrecisionError` where balls cannot decide."""
         sigma, x = acb(sigma), [acb(y) for y in x]
         G, turned = self._receptances(sigma, x, slopes)
@@ -97,7 +97,7 @@ class FreeProved:
             out.append(acb_mat(self.border.slope(f, g, vector(rates), vector(g_slope)).tolist()))
         return acb_mat(self.border.matrix(f, g).tolist()), out
 
-    def _receptances(self, sigma: Any, x: list[Any], slopes: bool) -> tuple[list[Any], list[list[Any]]]:
+    def _receptances(self, sigma: Any, x: list[Any], slopes: bool) -> tuple[list[acb], list[list[acb]]]:
         """G at each distance, and for σ and each parameter its slopes."""
         size = self.family.degree + 1
         D = BallSymbol(self._present, x, max(i for i, _ in self._present) + 1)

@@ -11,6 +11,7 @@ import numpy as np
 from mpsolve.characteristic.boxes import Boxes, FreeTrack, Wave
 from mpsolve.characteristic.circles import by_circles
 from mpsolve.characteristic.free_roots import Roots, roots_over
+from mpsolve.numbers.arrays import Complexes, Integers, Reals, Truths
 from mpsolve.numbers.forms import Forms
 from mpsolve.numbers.jets import TINY, UP
 from mpsolve.numbers.quadratic import Quadratic
@@ -31,18 +32,18 @@ class Receptances:
     """
 
     G: Quadratic
-    good: Any
-    strain: Any
+    good: Truths
+    strain: Reals
 
     @property
-    def absorbed(self) -> tuple[Any, Any]:
+    def absorbed(self) -> tuple[Complexes, Reals]:
         """(coefficients of −Im Ĝ along the variables, a bound of what they leave out), see `positive_definite`."""
         with np.errstate(all="ignore"):
             H = (self.G.k - np.swapaxes(self.G.k.conj(), 2, 3)) * 0.5j
             E = (self.G.e + np.swapaxes(self.G.e, 1, 2)) / 2 * UP
             return np.swapaxes(H, 0, 1), E
 
-    def take(self, rows: Any) -> Receptances:
+    def take(self, rows: Integers) -> Receptances:
         """Those of some boxes."""
         return Receptances(self.G[rows], self.good[rows], self.strain[:, rows])
 
@@ -58,7 +59,7 @@ class FreeReceptance:
         return FreeTrack(self.family)
 
     @cached_property
-    def distances(self) -> tuple[Forms, Any, Any]:
+    def distances(self) -> tuple[Forms, Truths, Integers]:
         """(the different distances as forms, which are at least 0, for each pair of places the number of its own)."""
         places, variables = self.family.places, self.track.variables
         exact = sorted({a - b for a in places for b in places})
@@ -97,19 +98,26 @@ class FreeReceptance:
             return Receptances(Quadratic(k, e, xi.m)[:, which], good, strain)
 
     def _circled(
-        self, wave: Wave, N: Quadratic, xi: Quadratic, sides: list[tuple[Any, bool]], rows: Any, k: Any, e: Any
+        self,
+        wave: Wave,
+        N: Quadratic,
+        xi: Quadratic,
+        sides: list[tuple[Truths, bool]],
+        rows: Integers,
+        k: Any,
+        e: Reals,
     ) -> None:
         if len(rows):
             for mask, upper in sides:
                 _put(k, e, rows, mask, by_circles(wave, N, xi[:, mask], upper, self.distances[0].fixed))
 
 
-def _put(k: Any, e: Any, rows: Any, mask: Any, part: Quadratic) -> None:
+def _put(k: Any, e: Reals, rows: Integers, mask: Truths, part: Quadratic) -> None:
     at = np.ix_(rows, np.flatnonzero(mask))
     k[:, at[0], at[1]], e[at] = part.k, part.e
 
 
-def residues(roots: Roots, rows: Any, own: Any, xi: Quadratic, fixed: bool) -> tuple[Quadratic, Any]:
+def residues(roots: Roots, rows: Integers, own: Truths, xi: Quadratic, fixed: bool) -> tuple[Quadratic, Any]:
     """(Σ e^{Pξ} N/D_P over the roots of one side, shape (boxes, distances), how each variable turns the waves)."""
     if not own.any():
         return Quadratic(np.zeros(xi.k.shape, complex), np.zeros(xi.e.shape), xi.m), 0.0

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Reals, Truths
 from mpsolve.numbers.jets import TINY, UP, U
 from mpsolve.numbers.quadratic import Quadratic, pairs
 
@@ -31,10 +32,10 @@ class Roots:
     P: Quadratic
     weight: Quadratic
     good: Any
-    strain: Any
+    strain: Reals
 
 
-def roots_over(D: Quadratic, N: Quadratic, z: Any, low: Any, up: int | None) -> Roots:
+def roots_over(D: Quadratic, N: Quadratic, z: Any, low: Reals, up: int | None) -> Roots:
     """The roots of D near the floats z, the first `up` of them with Re P < 0; low: |lead| is at least this.
 
     up: None where nothing is said of sides.
@@ -117,7 +118,7 @@ def _with_slope(d: Quadratic, x: Quadratic) -> tuple[Quadratic, Quadratic]:
     return value, slope
 
 
-def _high_orders(d: Quadratic, reach: Any) -> Any:
+def _high_orders(d: Quadratic, reach: Any) -> Reals:
     """Bounds of |c_j|, j ≥ 2, where |δ| ≤ reach."""
     size, n = d.size, d.k.shape[-1]
     out = np.zeros((*reach.shape, max(n - 2, 0)))
@@ -127,7 +128,7 @@ def _high_orders(d: Quadratic, reach: Any) -> Any:
     return out * UP
 
 
-def _isolated(value: Any, slope: Any, high: Any) -> tuple[Any, Any]:
+def _isolated(value: Any, slope: Reals, high: Reals) -> tuple[Reals, Truths]:
     """(ε, where exactly one root is proved in the disc of that radius)."""
     order = np.arange(2, 2 + high.shape[-1])
     base = value / slope * UP + TINY
@@ -142,7 +143,7 @@ def _isolated(value: Any, slope: Any, high: Any) -> tuple[Any, Any]:
     return eps, done & (slope > 0)
 
 
-def _sided(z: Any, off: Any, up: int) -> Any:
+def _sided(z: Any, off: Reals, up: int) -> Any:
     """Where the root at the middle, within `off` of z, has Re P < 0 if it is one of the first `up`, else Re P > 0."""
     sign = np.where(np.arange(z.shape[1]) < up, -1.0, 1.0)
     return sign * z.real > off * UP

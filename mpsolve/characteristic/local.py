@@ -14,10 +14,11 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.bordered import Arrays
-from mpsolve.characteristic.discs import split
+from mpsolve.characteristic.discs import Splittings, split
 from mpsolve.characteristic.residues import told_apart
 from mpsolve.characteristic.table import Table
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Complexes, Reals, Truths
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.tracks.waveguide import Polynomial
 
@@ -48,14 +49,16 @@ class LocalArrays(Arrays):
     def shift(self) -> complex:
         return complex(0, float(self.p))
 
-    def evaluate(self, m: Any, r: Any, up: int, nodes: Any = None) -> tuple[Any, Jet, Any]:
+    def evaluate(self, m: Any, r: Any, up: int, nodes: Any = None) -> tuple[Splittings, Jet, Truths]:
         s, G, good = super().evaluate(m, _widened(m, r), up, nodes)
         distances, pairs = self.distances
         turn, lost = np.exp(self.shift * distances)[pairs], (8 + np.abs(self.shift * distances))[pairs]
         moved = G * turn
         return s, Jet(moved.a, moved.b, moved.e + 4 * U * lost * (np.abs(G.a) + np.abs(G.b) * r_of(G)), G.r), good
 
-    def without_pole(self, m: Any, r: Any, up: int, nodes: Any, at: complex) -> tuple[Any, Jet, Jet, Any]:
+    def without_pole(
+        self, m: Complexes, r: Reals, up: int, nodes: Complexes, at: complex
+    ) -> tuple[Splittings, Jet, Jet, Truths]:
         return super().without_pole(m, _widened(m, r), up, nodes, at)
 
     def _moved(self, polynomial: Polynomial) -> Table:
@@ -79,7 +82,7 @@ def r_of(G: Jet) -> Any:
     return G.r.reshape(-1, *[1] * (G.a.ndim - 1))
 
 
-def _widened(m: Any, r: Any) -> Any:
+def _widened(m: Complexes, r: Reals) -> Reals:
     return np.maximum(r, _NEAR * np.abs(m)) * UP
 
 

@@ -16,6 +16,7 @@ from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.discs import Splittings, linked, near_roots
 from mpsolve.characteristic.path import discs
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Complexes, Reals, Truths
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.proof.turning import pivot_arguments, regular
 
@@ -29,7 +30,7 @@ class Turned:
 
 
 def turn_round(
-    arrays: Arrays, first: Splittings, points: Any, part: int, room: float = 1.0, pole: complex | None = None
+    arrays: Arrays, first: Splittings, points: Complexes, part: int, room: float = 1.0, pole: complex | None = None
 ) -> Turned | None:
     """What Δ̂ turns by along the closed polygon, and along its first `part` pieces; None where that is not proved.
 
@@ -60,14 +61,14 @@ def turn_round(
     return Turned(_total(turns, errors), _total(turns[:part], errors[:part]))
 
 
-def _total(turns: Any, errors: Any) -> tuple[float, float]:
+def _total(turns: Reals, errors: Reals) -> tuple[float, float]:
     total = fsum(turns)
     return total, fsum(errors) * UP + 2 * U * abs(total) + 8 * U * fsum(np.abs(turns))
 
 
 def _matrices(
-    arrays: Arrays, m: Any, r: Any, up: int, nodes: Any, pole: complex | None
-) -> tuple[Any, list[Jet], Any]:
+    arrays: Arrays, m: Complexes, r: Reals, up: int, nodes: Complexes, pole: complex | None
+) -> tuple[Splittings, list[Jet], Truths]:
     """(splittings, matrices whose determinants have the product Δ̂ up to a constant, where they are bounded)."""
     if pole is None:
         s, G, good = arrays.evaluate(m, r, up, nodes)
@@ -76,7 +77,7 @@ def _matrices(
     return s, [arrays.beside_pole(H, g, m, pole), g[:, None, None]], good
 
 
-def _followed(arrays: Arrays, sigma: Any, z: Any) -> Any:
+def _followed(arrays: Arrays, sigma: Any, z: Any) -> Complexes:
     """Floats near the p-roots at each σ̂, in the order of those that are nearest at the point before."""
     T, _ = arrays.D.in_time(sigma)
     out = []

@@ -18,6 +18,7 @@ from mpsolve.characteristic.discs import Splittings, near_roots
 from mpsolve.characteristic.residues import Receptances, Roots, isolated, summed, told_apart, weights
 from mpsolve.characteristic.table import Table
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Complexes, Reals, Truths
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.problem.reduced import Guide
 from mpsolve.tracks.waveguide import Polynomial
@@ -40,12 +41,12 @@ class Origin:
     E: Table
     F: Table
     power: int
-    slow: Any
-    fast: Any
+    slow: Complexes
+    fast: Complexes
     up: tuple[int, int]
 
     @cached_property
-    def at_zero(self) -> tuple[Any, Any]:
+    def at_zero(self) -> tuple[Complexes, Reals]:
         return self.D.in_time(_ZERO)
 
     def __call__(self, radius: float, distances: Any) -> Receptances:
@@ -81,7 +82,7 @@ class Origin:
         across = mine[:, None] != (np.arange(thin.z.shape[1]) < thin.up)
         return bool((gap > 0)[across].all()) and a + b == thin.up
 
-    def _roots(self, radius: float) -> tuple[Roots, Roots, Any]:
+    def _roots(self, radius: float) -> tuple[Roots, Roots, Truths]:
         """The discs of ζ and of P, and whether all are told apart, on their sides of 0."""
         r = np.array([radius])
         with np.errstate(all="ignore"):  # on a disc that is far too large nothing is told apart

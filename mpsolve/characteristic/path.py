@@ -10,6 +10,7 @@ from typing import Any, Literal
 import numpy as np
 
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Complexes, Reals
 from mpsolve.numbers.jets import UP, U
 from mpsolve.proof.cover import Middle, midpoints
 
@@ -27,7 +28,7 @@ class Path:
     """
 
     kind: Kind
-    points: Any
+    points: Complexes
     arc: float | None = None
 
     @property
@@ -35,7 +36,7 @@ class Path:
         return len(self.points) - 1
 
 
-def discs(a: Any, b: Any) -> tuple[Any, Any]:
+def discs(a: Any, b: Any) -> tuple[Complexes, Reals]:
     """Midpoints and radii in σ̂ of discs that hold the pieces from a to b, and any whose ends are rounded to a and b.
 
     They are wider than need be by 2⁻¹².

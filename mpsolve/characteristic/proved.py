@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from mpsolve.characteristic.bordering import Bordering
 from mpsolve.characteristic.factors import Factors, factor_balls, sides
@@ -19,6 +19,9 @@ from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import Balls, acb, acb_mat, is_thin
 from mpsolve.numbers.reduction import Reduction, det_and_trace
 from mpsolve.problem.reduced import Reduced
+
+if TYPE_CHECKING:
+    from mpsolve.numbers.arrays import Complexes
 
 _K = Balls()
 
@@ -34,7 +37,7 @@ class ProvedSplitting:
     symbols: Symbols
     sigma: Any
     upper: int
-    roots: tuple[Any, ...] | None
+    roots: tuple[acb, ...] | None
     factors: Factors | None
     signed: bool
 
@@ -48,7 +51,7 @@ class ProvedSplitting:
         return Splitting(lead, monic(roots[: self.upper]), monic(roots[self.upper :]))
 
     @cached_property
-    def weights(self) -> tuple[Any, ...]:
+    def weights(self) -> tuple[acb, ...]:
         """N/D_P at each root: the least that a value of G takes."""
         if not is_thin(self.sigma):
             return tuple(term.w for term in self.terms)
@@ -71,7 +74,7 @@ class ProvedSplitting:
             out.append(replace(local.terms(root - middle), z=root))
         return tuple(out)
 
-    def receptances(self, xi: Sequence[Any] | Spread, slope: bool = True) -> tuple[list[Any], list[Any]]:
+    def receptances(self, xi: Sequence[Any] | Spread, slope: bool = True) -> tuple[list[acb], list[acb]]:
         """G(ξ, σ) for each exact ξ, and where asked its slope in σ; `PrecisionError` where balls are too wide."""
         spread = xi if isinstance(xi, Spread) else Spread(tuple(xi))
         if self.roots is None:
@@ -82,7 +85,7 @@ class ProvedSplitting:
             raise PrecisionError("the receptance may be infinite over the ball: split the piece")
         return G, G_sigma
 
-    def _by_residues(self, spread: Spread, slope: bool) -> tuple[list[Any], list[Any]]:
+    def _by_residues(self, spread: Spread, slope: bool) -> tuple[list[acb], list[acb]]:
         roots, count, thin = self.roots or (), len(spread.exact), is_thin(self.sigma)
         G, G_sigma, xi = [acb(0)] * count, [acb(0)] * (count if slope else 0), spread.balls
         for side in spread.sides:
@@ -123,7 +126,9 @@ def split_ball(symbols: Symbols, sigma: Any, upper: int) -> ProvedSplitting:
     return found or ProvedSplitting(symbols, sigma, upper, None, factors, signed)
 
 
-def _told_apart(symbols: Symbols, sigma: Any, near: tuple[list[Any], Any], upper: int) -> ProvedSplitting | None:
+def _told_apart(
+    symbols: Symbols, sigma: Any, near: tuple[list[acb], Complexes], upper: int
+) -> ProvedSplitting | None:
     """The splitting by sides where roots of both nearly meet, closer than floats tell; None where it is open."""
     try:
         roots = tuple(root_balls(symbols.D, sigma, sharp_roots(*near)))
@@ -185,7 +190,7 @@ class Proved:
         inner = self.splitting(middle).receptances(self.spread, False)[0]
         return self.border.at(_K, middle, inner) + A_sigma * (sigma - middle), A_sigma
 
-    def delta(self, sigma: Any) -> tuple[Any, Any]:
+    def delta(self, sigma: Any) -> tuple[acb, acb]:
         """Δ̂ and dΔ̂/dσ over the ball σ."""
         A, A_sigma = self.matrices(sigma)
         if is_thin(sigma):

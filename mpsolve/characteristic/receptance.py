@@ -8,6 +8,7 @@ roots of one side meet, and so are the slopes in σ of everything.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
@@ -46,7 +47,9 @@ def residues(K: Arithmetic, A: Sequence[Any], B: Sequence[Any], F: Sequence[Any]
     return [K.entry(tail if x == 0 else K.product(K.exp(K.times(C, like + x)), tail), 0, 0) for x in xi]
 
 
-def two_sided(K: Arithmetic, U: Sequence[Any], L: Sequence[Any], F: Sequence[Any], xi: Sequence[Any]) -> list[Any]:
+def two_sided(
+    K: Arithmetic, U: Sequence[Any], L: Sequence[Any], F: Sequence[Any], xi: Sequence[Fraction]
+) -> list[Any]:
     """The residues over U where ξ ≥ 0, minus those over L where ξ < 0; ξ exact rationals."""
     ahead, behind = ([x for x in xi if (x >= 0) is side] for side in (True, False))
     out = dict(zip(ahead, residues(K, U, L, F, [K.number(x) for x in ahead]), strict=True))
@@ -55,7 +58,7 @@ def two_sided(K: Arithmetic, U: Sequence[Any], L: Sequence[Any], F: Sequence[Any
 
 
 def by_companions(
-    K: Arithmetic, symbols: Symbols, split: Splitting, sigma: Any, xi: Sequence[Any], slope: bool
+    K: Arithmetic, symbols: Symbols, split: Splitting, sigma: Any, xi: Sequence[Fraction], slope: bool
 ) -> tuple[list[Any], list[Any]]:
     """G(ξ, σ) and, where asked, its slope in σ, for each exact ξ."""
     like = sigma * 0

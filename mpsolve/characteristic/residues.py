@@ -9,6 +9,7 @@ import numpy as np
 from mpsolve.characteristic.discs import Splittings
 from mpsolve.characteristic.table import Table
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Complexes, Integers, Reals, Truths
 from mpsolve.numbers.jets import TINY, UP, Jet, U, powers_up_to
 
 
@@ -20,13 +21,13 @@ class Receptances:
     good: Any
 
 
-def receptances(N: Table, D: Table, s: Splittings, distances: Any) -> Receptances:
+def receptances(N: Table, D: Table, s: Splittings, distances: Reals) -> Receptances:
     """Σ N e^{Pξ}/D_P over the roots of U (ξ ≥ 0), −Σ over those of L (ξ < 0), where they are apart on the disc."""
     weight, p, alone = waves(N, D, s)
     return summed(weight, p, alone, s.up, distances)
 
 
-def summed(weight: Jet, p: Jet, alone: Any, up: int, distances: Any) -> Receptances:
+def summed(weight: Jet, p: Jet, alone: Truths, up: int, distances: Reals) -> Receptances:
     """The sums of e^{Pξ} times its weight over the first `up` roots, and minus those over the others."""
     with np.errstate(all="ignore"):
         r, ahead, behind = weight.r, distances >= 0, distances < 0
@@ -49,7 +50,7 @@ def summed(weight: Jet, p: Jet, alone: Any, up: int, distances: Any) -> Receptan
         return Receptances(Jet(a, b, e, r), good)
 
 
-def waves(N: Table, D: Table, s: Splittings) -> tuple[Jet, Jet, Any]:
+def waves(N: Table, D: Table, s: Splittings) -> tuple[Jet, Jet, Truths]:
     """(N/D_P, P) at all p-roots, those of U first, as jets of shape (discs, roots), and where they are told apart."""
     with np.errstate(all="ignore"):
         roots, alone = told_apart(D, s)
@@ -61,15 +62,15 @@ def waves(N: Table, D: Table, s: Splittings) -> tuple[Jet, Jet, Any]:
 class Roots:
     """Discs |P − z_k| ≤ eps that hold exactly one root for every σ of the disc, where `done`; c: D at P = z_k + e."""
 
-    c: Any
+    c: Complexes
     lost: Any
-    eps: Any
-    powers: Any
-    r: Any
-    done: Any
+    eps: Reals
+    powers: Reals
+    r: Reals
+    done: Truths
 
 
-def isolated(D: Table, z: Any, T: Any, error: Any, r: Any) -> Roots:
+def isolated(D: Table, z: Any, T: Complexes, error: Reals, r: Reals) -> Roots:
     """Discs round the nodes with one root of D each; T, error: D in time."""
     c, lost, powers, by_e, slope = _round_nodes(D, z, T, error, r)
     order = np.arange(c.shape[2])
@@ -86,7 +87,9 @@ def isolated(D: Table, z: Any, T: Any, error: Any, r: Any) -> Roots:
     return Roots(c, lost, eps, powers, r, done & (slope > 0))
 
 
-def _round_nodes(D: Table, z: Any, T: Any, error: Any, r: Any) -> tuple[Any, Any, Any, Any, Any]:
+def _round_nodes(
+    D: Table, z: Any, T: Complexes, error: Reals, r: Reals
+) -> tuple[Complexes, Reals, Reals, Reals, Reals]:
     """D at P = z + e, its error, powers of r; Σ_j |c_ij| r^j/|c₁₀| but for c₁₀ itself; a lower bound of |c₁₀|."""
     c, lost = D.at(z, T, error)
     powers = powers_up_to(r, c.shape[3])
@@ -96,7 +99,7 @@ def _round_nodes(D: Table, z: Any, T: Any, error: Any, r: Any) -> tuple[Any, Any
     return c, lost, powers, np.einsum("bkij,bj->bki", E, powers) * UP, slope
 
 
-def told_apart(D: Table, s: Splittings) -> tuple[Roots, Any]:
+def told_apart(D: Table, s: Splittings) -> tuple[Roots, Truths]:
     """The roots of a splitting, and whether all of them are told apart."""
     c, lost, powers, by_e, slope = _round_nodes(D, s.z, s.T, s.error, s.r)
     eps, alone = _sides_told_apart(s)
@@ -129,7 +132,7 @@ def _sides_told_apart(s: Splittings) -> tuple[Any, Any]:
     return eps, done.all(1) & apart
 
 
-def weights(N: Table, m: Any, z: Any, roots: Roots) -> tuple[Jet, Jet]:
+def weights(N: Table, m: Complexes, z: Any, roots: Roots) -> tuple[Jet, Jet]:
     """N/D_P and P at the roots round the nodes z, as jets of shape (discs, roots)."""
     c, lost, eps, powers = roots.c, roots.lost, roots.eps, roots.powers
     r = roots.r[:, None]
@@ -151,7 +154,7 @@ def weights(N: Table, m: Any, z: Any, roots: Roots) -> tuple[Jet, Jet]:
     return _expand(n, n_lost, root, n_grid, n_powers) * derivative.inverse(), P
 
 
-def _orders(rows: int, columns: int) -> Any:
+def _orders(rows: int, columns: int) -> Integers:
     return np.arange(rows)[:, None] + np.arange(columns)[None, :]
 
 
@@ -160,7 +163,7 @@ def _slopes(c: Any) -> Any:
     return c[:, :, 1:, :] * np.arange(1, c.shape[2])[:, None]
 
 
-def _expand(c: Any, lost: Any, root: Jet, grid: Any, powers: Any) -> Jet:
+def _expand(c: Complexes, lost: Any, root: Jet, grid: Reals, powers: Reals) -> Jet:
     """Σ c_ij e^i t^j at e = root, as a jet."""
     rows, columns = c.shape[2], c.shape[3]
     grid, powers = grid[:, :, :rows], powers[:, :columns]

@@ -14,6 +14,7 @@ import numpy as np
 
 from mpsolve.characteristic.symbol import Symbol, horner, slope_in_P
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.balls import acb, acb_poly, arb, bits_now, exact_ball, is_thin, precision, square
 from mpsolve.numbers.float64 import companions
 
@@ -47,14 +48,14 @@ class Orders:
         """The value over the ball of σ, at an exact z."""
         return self.orders[0](z) if self.thin else horner([a(z) for a in self.orders], self.step)
 
-    def about(self, z: Any) -> list[Any]:
+    def about(self, z: Any) -> list[acb]:
         """The coefficients of (P − z)^i over the ball of σ: balls only where σ and P depart from their middles."""
         moved = acb_poly([z, 1])
         shifted = [a(moved) for a in self.orders]
         return [horner([a[i] for a in shifted], self.step) for i in range(self.size)]
 
     @property
-    def wide(self) -> Any:
+    def wide(self) -> acb_poly:
         """The polynomial in P over the ball of σ."""
         if self.thin:
             return self.orders[0]
@@ -69,7 +70,7 @@ def leading(D: Any, degree: int) -> Any:
     return lead
 
 
-def float_roots(D: Any, degree: int) -> Any:
+def float_roots(D: Any, degree: int) -> Complexes:
     """Roots of the midpoint polynomial in float64, those of smallest real part first."""
     coefficients = np.array([complex(D[i]) for i in range(degree + 1)])
     (companion,) = companions(coefficients[None])
@@ -79,7 +80,7 @@ def float_roots(D: Any, degree: int) -> Any:
     return z[np.argsort(z.real)]
 
 
-def sharp_roots(D: list[Any], z: Any) -> list[Any]:
+def sharp_roots(D: list[Any], z: Any) -> list[acb]:
     """Exact numbers near the roots of the midpoint polynomial, smallest real part first, from floats near them.
 
     By Ehrlich's and Aberth's iteration, to more than half of the precision that is set; nothing is proved here.
@@ -107,7 +108,7 @@ def apart(z: Any) -> bool:
     return bool(size > 0 and (gaps > _NEAR * size).all()) or len(z) == 1
 
 
-def root_balls(symbol: Symbol, sigma: Any, z: Any) -> list[Any]:
+def root_balls(symbol: Symbol, sigma: Any, z: Any) -> list[acb]:
     """Balls round the floats or exact z, each with one root of D for all σ; `PrecisionError` where they may touch."""
     target = bits_now()
     if not is_thin(sigma):
@@ -141,7 +142,7 @@ def _smaller(ball: Any, image: Any) -> Any:
     return image if image.is_finite() and image.rad() < ball.rad() else ball
 
 
-def discs(local: Orders, D: Any, z: Sequence[Any]) -> tuple[list[Any], list[Any]]:
+def discs(local: Orders, D: Any, z: Sequence[Any]) -> tuple[list[acb], list[arb]]:
     """The values of D at the nodes, and radii of discs round them with one root each, apart from each other."""
     n = len(z)
     lead = abs(leading(D, n))
@@ -158,7 +159,7 @@ def discs(local: Orders, D: Any, z: Sequence[Any]) -> tuple[list[Any], list[Any]
     return values, radii
 
 
-def _newton(local: Orders, x: Any, value: Any, radius: Any) -> Any:
+def _newton(local: Orders, x: Any, value: acb, radius: arb) -> Any:
     """The image of the disc under interval Newton where it is smaller: it holds the one root of the disc."""
     disc = x + square(radius)
     about = slope_in_P(local.about(x))

@@ -7,6 +7,8 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
+from flint import arb
+
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import Balls, acb, bits_now
 
@@ -34,7 +36,7 @@ class Side:
             before = here[k]
         return Side(sign, tuple(own), tuple(here), tuple(way), tuple(leaps))
 
-    def waves(self, roots: Sequence[Any], thin: bool) -> list[list[Any]]:
+    def waves(self, roots: Sequence[acb], thin: bool) -> list[list[acb]]:
         """e^{zξ} of the roots at each distance: at thin roots by products, where few leaps lie between them."""
         if not thin or 2 * len(self.leaps) >= len(self.exact):
             return [_wave(x, roots) for x in self.exact]
@@ -58,7 +60,7 @@ class Spread:
         return Side.of(self.exact, 1), Side.of(self.exact, -1)
 
     @property
-    def balls(self) -> list[Any]:
+    def balls(self) -> list[arb]:
         """At the precision that is set."""
         bits = bits_now()
         if bits not in self._kept:
@@ -71,6 +73,6 @@ class Spread:
         return {}
 
 
-def _wave(x: Fraction, roots: Sequence[Any]) -> list[Any]:
+def _wave(x: Fraction, roots: Sequence[acb]) -> list[acb]:
     ball = _K.number(x)
     return [(ball * z).exp() if x else acb(1) for z in roots]

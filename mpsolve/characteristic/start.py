@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import field
-from typing import Any
 
 import numpy as np
 from flint import acb, acb_poly, arb
@@ -62,7 +61,7 @@ def dispersion_at(guide: Guide, sigma: acb) -> acb_poly:
     return acb_poly(out)
 
 
-def factors(s: Any, row: int) -> tuple[acb_poly, acb_poly]:
+def factors(s: Splittings, row: int) -> tuple[acb_poly, acb_poly]:
     """U and L of one disc as polynomials with ball coefficients."""
     out = []
     for part in (slice(0, s.up), slice(s.up, None)):

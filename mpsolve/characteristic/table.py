@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.jets import TINY, UP, U, nearest
 from mpsolve.tracks.waveguide import Polynomial
 
@@ -41,7 +42,7 @@ class Table:
         """
         return float(64 * (self.d.shape[0] + self.d.shape[1]) * U)
 
-    def in_time(self, sigma: Any) -> tuple[Any, Any]:
+    def in_time(self, sigma: Any) -> tuple[Any, Reals]:
         """T[:, j, i], the coefficient of P^i t^j at σ + t, and a bound of its error.
 
         sigma: real or complex, shape (discs,).
@@ -57,7 +58,7 @@ class Table:
             A[:, j, :] = sizes[:, : len(w)] @ (np.abs(self.d[:, j:]) * w).T
         return T, A * self._loss * UP + TINY
 
-    def at(self, z: Any, T: Any, error: Any) -> tuple[Any, Any]:
+    def at(self, z: Any, T: Any, error: Reals) -> tuple[Any, Reals]:
         """c[:, k, i, j], the coefficient of e^i t^j at P = z + e, and a bound of its error; z: (discs, nodes)."""
         n = self.d.shape[0]
         weights, powers = _binomials(n), _powers(z, n)
@@ -72,7 +73,7 @@ class Table:
         return c, size * self._loss * UP + TINY
 
 
-def _binomials(n: int) -> Any:
+def _binomials(n: int) -> Reals:
     return np.array([[comb(m, j) for m in range(n)] for j in range(n)], float)
 
 

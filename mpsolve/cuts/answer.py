@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from flint import arb
+
 from mpsolve.numbers.packed import Portable
 from mpsolve.ranges.answer import Answer, AtValue
 
@@ -18,7 +20,7 @@ class CutPoint(AtValue, Portable):
     appears: whether a line begins there as the parameter grows; else it ends.
     """
 
-    value: Any
+    value: arb
     q: Any
     side: str
     appears: bool

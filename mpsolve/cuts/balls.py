@@ -79,7 +79,7 @@ class InPlane:
     balls: EdgeBalls
     reduction: Reduction
 
-    def value(self, p: Any, x: Any) -> Any:
+    def value(self, p: arb, x: Any) -> acb:
         return self.reduction.scalar(self.balls.matrices(p, x)[0])
 
     def slopes(self, p: arb, x: arb) -> tuple[acb, acb]:

@@ -159,7 +159,7 @@ class EdgeMatrix:
         a, b, a2, b2 = (x.times(1j) for x in r)
         return Parts(a, b, a2, b2, EI, N, sigma, behind[:contacts], behind[contacts:], border.signs, one, zero)
 
-    def _filled(self, parts: Parts, own: Quadratic, given: Callable[[Parts], list[Any]]) -> tuple[Any, Any]:
+    def _filled(self, parts: Parts, own: Quadratic, given: Callable[[Parts], list[Any]]) -> tuple[Complexes, Reals]:
         """(A's coefficients, its remainders)."""
         border = self._borders[0 if given is of_one else 1]
         n, sigma = len(border.polynomials), parts.sigma[:, None]

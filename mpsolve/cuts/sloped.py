@@ -12,7 +12,7 @@ from mpsolve.numbers.balls import acb, arb, bits_now, square
 class Sloped:
     """A ball of a function and balls of its slopes."""
 
-    value: Any
+    value: acb
     slopes: tuple[acb, ...]
 
     def __neg__(self) -> Sloped:

@@ -65,7 +65,7 @@ class Bloch:
             G, slopes = lattice.sums(self.terms(sigma), self.upper, z, float, np.exp)
             return det_and_slope(self.border.at(_K, sigma, G), self.border.slope_at(_K, sigma, G, slopes))
 
-    def scatterer(self, sigma: Any) -> Any:
+    def scatterer(self, sigma: Any) -> Complexes:
         """S with [a'; b'] = S [a; b], shape (len(σ), n, n), n p-roots, the upper ones first."""
         waves = [(term.z, term.w) for term in self.terms(sigma)]
         G = self.receptance(sigma, self.border.distances, slope=False)[0]
@@ -91,7 +91,7 @@ class Bloch:
             z = t * (1 + m) / (1 - m)
         return np.take_along_axis(z, np.argsort(np.abs(z), -1), -1)
 
-    def middle(self, sigma: Any) -> tuple[Any, Any]:
+    def middle(self, sigma: Any) -> tuple[Complexes, Complexes]:
         """The two middle roots by modulus, z_{n₊} and z_{n₊+1}: what runs ahead, and what runs back."""
         z = self.multipliers(sigma)
         return z[:, self.upper - 1], z[:, self.upper]

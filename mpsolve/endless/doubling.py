@@ -31,7 +31,7 @@ class Piece:
     """
 
     S: Complexes
-    size: Any
+    size: Reals
     turns: tuple[tuple[Reals, int], ...]
 
     @property

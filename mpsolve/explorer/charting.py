@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
 import numpy as np
 
 from mpsolve.batch.frequencies import frequencies
 from mpsolve.batch.result import Frequencies
 from mpsolve.errors import InputError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.pictures.chart import Sure, chart_picture
 from mpsolve.problem.problem import Problem
 
@@ -24,7 +24,7 @@ class ProvedPoint:
 
     problem: Problem
     stable: bool
-    region: Mapping[str, Any] | None = None
+    region: Mapping[str, tuple[Fraction, Fraction]] | None = None
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,7 @@ def chart_of(problem: Problem, x: str, y: str) -> Chart:
     return Chart(problem, x, y, frequencies(problem, over, roots=False))
 
 
-def _values(problem: Problem, path: str, number: int) -> Any:
+def _values(problem: Problem, path: str, number: int) -> Reals:
     """Up to twice the present value; the range holds 0 only as its open end, where a spring or mass would be gone."""
     value = problem.parameters.get(path, Fraction(0))
     if value <= 0:

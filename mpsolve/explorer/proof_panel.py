@@ -6,13 +6,16 @@ import tempfile
 from collections.abc import Awaitable, Callable
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from nicegui import ui
 
 from mpsolve.errors import MpsolveError
 from mpsolve.explorer.proving import Proving
 from mpsolve.explorer.session import Session
+
+if TYPE_CHECKING:
+    from mpsolve.spectrum.spectrum import Spectrum
 
 
 class ProofPanel:
@@ -109,7 +112,7 @@ def region_told(proving: Proving) -> str:
     return f"\nStable all over {' and '.join(ends)}: proved; outlined on the chart."
 
 
-def told(answer: Any) -> str:
+def told(answer: Spectrum) -> str:
     """The verdict of a proof, what is proved, and what has confirmed it; the equations stand in the certificate."""
     from mpsolve.report import spectrum_words
 

@@ -84,7 +84,7 @@ def finite_track(
     problem: Problem,
     loads: Any = None,
     *,
-    length: float,
+    length: Any,
     modes: int,
     times: Any,
     places: Any = None,

@@ -59,10 +59,10 @@ class Motion:
     """
 
     times: Any
-    rail: Any
+    rail: Reals
     state: Any
     state_rate: Any
-    force: Any
+    force: Reals
 
 
 def march(setting: Setting, steps: int, effort: Effort | None = None) -> Motion:

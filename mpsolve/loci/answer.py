@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
+from flint import arb
+
 from mpsolve.numbers.packed import Portable
 from mpsolve.ranges.answer import Answer, AtValue
 from mpsolve.ranges.crossed import Crossing
@@ -67,7 +69,7 @@ class Event(AtValue, Portable):
     side: of a cut, where it does so on the whole sheet.
     """
 
-    value: Any
+    value: arb
     q: Any
     gained: int
     side: str | None = None

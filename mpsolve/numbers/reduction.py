@@ -32,7 +32,7 @@ class Reduction:
     right: acb_mat
 
     @staticmethod
-    def of(A: Any, near_root: bool = False) -> Reduction:
+    def of(A: acb_mat, near_root: bool = False) -> Reduction:
         """The reduction for matrices near the midpoint of A; `PrecisionError` where float64 does not reach.
 
         near_root: treat A as nearly singular at any rate, so that s is a smooth function next to a root.
@@ -66,7 +66,7 @@ class Reduction:
         first = acb_mat(n, n, [B[i, j] for i in range(n) for j in range(n)])
         return first, acb_mat(n, 1, [B[i, n] for i in range(n)]), acb_mat(1, n, [B[n, j] for j in range(n)]), B[n, n]
 
-    def scalar(self, A: Any) -> acb:
+    def scalar(self, A: acb_mat) -> acb:
         """s(A): 0 exactly where A is singular."""
         first, column, row, corner = self._blocks(A)
         return corner - _entry(row * _solved(first, column)) if first.nrows() else corner
@@ -80,7 +80,7 @@ class Reduction:
         x, y = _solved(first, column), _solved(first.transpose(), row.transpose()).transpose()
         return d_corner - _entry(d_row * x) - _entry(y * d_column) + _entry(y * d_first * x)
 
-    def determinant(self, A: Any, A_slope: acb_mat) -> tuple[acb, acb]:
+    def determinant(self, A: acb_mat, A_slope: acb_mat) -> tuple[acb, acb]:
         """det A and its derivative along A_slope."""
         if self.one_sided:
             near, slope = self.left * A, self.left * A_slope
@@ -103,7 +103,7 @@ class Reduction:
         size = self.factor * _near_one(first)
         return size * s, size * (d_s + s * turned.trace())
 
-    def kernel(self, A: Any) -> list[acb]:
+    def kernel(self, A: acb_mat) -> list[acb]:
         """A vector x ≠ 0 with A x = 0 for each singular matrix of the balls A."""
         if self.left.det().contains(0):
             raise PrecisionError("the characteristic matrix is too badly conditioned in float64 to show its kernel")
@@ -159,7 +159,7 @@ def _regular(a: Any) -> tuple[Any, Any]:
     return np.linalg.inv(a), np.eye(len(a), dtype=complex)
 
 
-def _bordered(a: Any) -> tuple[Any, Any]:
+def _bordered(a: Any) -> tuple[Any, Complexes]:
     """By the singular vectors of the least singular value."""
     r, c, even = _equilibrated(a)
     U, _, V = np.linalg.svd(even)
@@ -171,7 +171,7 @@ def _bordered(a: Any) -> tuple[Any, Any]:
     return np.linalg.inv(np.column_stack([a[:, others], u])), right
 
 
-def det_and_trace(A: Any, A_slope: acb_mat) -> tuple[acb, acb]:
+def det_and_trace(A: acb_mat, A_slope: acb_mat) -> tuple[acb, acb]:
     """det A and tr A⁻¹A′ = (det A)′/det A; not finite where FLINT finds A singular.
 
     With A = [[X, Y], [Z, W]], P = X⁻¹Y, Q = ZX⁻¹ and S = W − ZP: det A = det X · det S, so the trace is that of X⁻¹X′
@@ -188,7 +188,7 @@ def det_and_trace(A: Any, A_slope: acb_mat) -> tuple[acb, acb]:
         return acb("nan"), acb("nan")
 
 
-def _by_halves(A: Any, A_slope: acb_mat) -> tuple[acb, acb]:
+def _by_halves(A: acb_mat, A_slope: acb_mat) -> tuple[acb, acb]:
     X, Y, Z, W = _quarters(A)
     X_, Y_, Z_, W_ = _quarters(A_slope)
     inverse = X.inv()

@@ -68,7 +68,7 @@ def radius_of(exponent: int, multiplicity: int) -> arb:
 _INNER = 0.4  # how far from its grid point, in units, a coordinate of the root may lie
 
 
-def on_grid(image: Any, goal: int, multiplicity: int, symmetry: Symmetry, least: float = 0.0) -> RootBall:
+def on_grid(image: acb, goal: int, multiplicity: int, symmetry: Symmetry, least: float = 0.0) -> RootBall:
     """A ball of relative radius below 2^−goal, with a short midpoint, around the much smaller image.
 
     least: a size below which a root counts as one of this size.

@@ -105,7 +105,7 @@ def _end(parts: Parts) -> str:
     return f" A line ends where it decays faster than {speech(parts).rate(height)}: no such one was searched."
 
 
-def _numbers(parts: Parts, v: Any, tracks: list[Complexes]) -> list[str]:
+def _numbers(parts: Parts, v: Reals, tracks: list[Complexes]) -> list[str]:
     """Of each line the number of the vibration through which it runs at this case, else one beyond the table's."""
     own, roots = float(parts.problem.v), [complex(root.q.mid()) for root in once(parts.spectrum)]
     near = []

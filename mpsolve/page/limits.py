@@ -8,6 +8,8 @@ from itertools import pairwise
 from time import process_time
 from typing import Any
 
+from flint import arb
+
 from mpsolve.errors import MpsolveError
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
@@ -36,7 +38,7 @@ class Reach:
     kind: Kind
     low: Fraction
     high: Fraction
-    value: Any | None = None
+    value: arb | None = None
     reason: Reason | None = None
     certificate: Any | None = None
 

@@ -35,7 +35,7 @@ class PassivityVelocity(Result):
     """
 
     kind: Kind
-    value: Any
+    value: arb | None
     lower: Fraction
     upper: Fraction
     passive_to: arb | None

@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
+from flint import arb
 
 from mpsolve.characteristic.floats import Receptance
 from mpsolve.errors import InputError
@@ -35,7 +36,7 @@ class PassivityBand(Result):
     at which it was seen not to be so, 0 where none was: what `value` cannot be below.
     """
 
-    value: Any
+    value: arb | None
     least: float
     status: Status
     reason: Reason | None = None

@@ -70,7 +70,7 @@ def _holds(subject: Subject, density: Density, tail: Reals, parameters: list[Aff
 
 
 def _given(
-    subject: Subject, q: Affine, v: Affine, parameters: list[Affine], ends: Any, middle: Any
+    subject: Subject, q: Affine, v: Affine, parameters: list[Affine], ends: Reals, middle: Any
 ) -> tuple[Reals, Reals]:
     """(what is given at most while −Ω is below an end, the least p beyond) for Σ|u|² = 1; ∞ where v may be 0."""
     slow = np.ravel(v.low)
@@ -108,7 +108,7 @@ def _bounds(subject: Subject, p: Affine, omega: Affine, parameters: list[Affine]
 
 
 @np.errstate(all="ignore")
-def densities(subject: Subject, q: Affine, v: Affine, parameters: list[Affine], ends: Any) -> Density:
+def densities(subject: Subject, q: Affine, v: Affine, parameters: list[Affine], ends: Reals) -> Density:
     """The better of the two bounds on each cell."""
     p = between(ends[:, :-1], ends[:, 1:], "p")
     at = _bounds(subject, p, q - v * p, parameters)
@@ -138,7 +138,7 @@ def _least(f: Affine) -> Any:
     return np.maximum(np.maximum(f.low, -f.high), 0)
 
 
-def _tail(envelope: Envelope, q: Any, v: Any, end: Any) -> Any:
+def _tail(envelope: Envelope, q: Any, v: Reals, end: Any) -> Any:
     """What is given at most beyond each end (boxes, ends), for Σ|u|² = 1."""
     q, v = q[:, None], v[:, None]
     p = np.maximum(np.maximum(end, q / v * (1 - 8 * U)), TINY)

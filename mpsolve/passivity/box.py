@@ -51,7 +51,7 @@ def passive_beyond(
     return PassiveBeyond(X, top, tried)
 
 
-def _covered(envelope: Envelope, low: Reals, high: Reals, ends: Any, halvings: int) -> tuple[int, bool, int]:
+def _covered(envelope: Envelope, low: Reals, high: Reals, ends: Reals, halvings: int) -> tuple[int, bool, int]:
     """(how many cells in a row below ends[0] are proved, whether the next one failed, how many boxes were looked at).
 
     Cells far below one that is hard are left for another time.

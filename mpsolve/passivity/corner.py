@@ -32,13 +32,13 @@ class _Slope:
 
     moving: Moving
 
-    def value(self, v: Any) -> Any:
+    def value(self, v: acb) -> acb:
         return self.both(v)[0]
 
     def slope(self, v: Any) -> acb:
         return self.both(v)[1]
 
-    def both(self, v: Any) -> tuple[acb, acb]:
+    def both(self, v: acb) -> tuple[acb, acb]:
         found = self.moving.germ(acb(0), arb(v.real), 1)
         return acb(found.value[1].real), acb(found.by_velocity[1].real)
 
@@ -47,7 +47,7 @@ class _Slope:
 class Corner:
     """The loss: `value`, a ball of the scaled velocity; proved on 0 < q ≤ reach, below ≤ v < value."""
 
-    value: Any
+    value: arb
     below: float
     reach: float
 
@@ -60,7 +60,7 @@ def velocity_of_loss(moving: Moving, near: float, bits: int) -> Any:
     return sharpened(f, found.image, bits, real_part).real
 
 
-def corner(moving: Moving, value: Any, effort: Effort) -> Corner | None:
+def corner(moving: Moving, value: arb, effort: Effort) -> Corner | None:
     """The neighbourhood of a loss in which it is proved to be the first, as wide as is found quickly."""
     with precision(_BITS):
         reach = _reach(moving, value)
@@ -74,7 +74,7 @@ def corner(moving: Moving, value: Any, effort: Effort) -> Corner | None:
     return None
 
 
-def _seems_to_fall(moving: Moving, below: float, value: Any, reach: float) -> bool:
+def _seems_to_fall(moving: Moving, below: float, value: arb, reach: float) -> bool:
     """Whether F_v < 0 at a few points: where it is not, no proof is tried."""
     top = float(value.mid())
     points = [(x * reach, below + y * (top - below)) for x in (0.0, 0.5, 1.0) for y in (0.0, 0.5, 1.0)]
@@ -84,7 +84,7 @@ def _seems_to_fall(moving: Moving, below: float, value: Any, reach: float) -> bo
         return False
 
 
-def _reach(moving: Moving, value: Any) -> float:
+def _reach(moving: Moving, value: arb) -> float:
     """In balls without proof: how far F_qq stays of one size."""
     v, r = arb(value.mid()), 2.0**-9
     first = 6 * moving.germ(acb(0), v, 3).value[3].real
@@ -95,7 +95,7 @@ def _reach(moving: Moving, value: Any) -> float:
     return r
 
 
-def _bends(moving: Moving, value: Any, reach: float, effort: Effort) -> bool:
+def _bends(moving: Moving, value: arb, reach: float, effort: Effort) -> bool:
     """Whether F_qq > 0 for 0 ≤ q ≤ reach at the velocity of the loss."""
 
     def holds(box: tuple[float, float, float, float]) -> bool:
@@ -107,7 +107,7 @@ def _bends(moving: Moving, value: Any, reach: float, effort: Effort) -> bool:
     return _everywhere((0.0, reach, 0.0, 0.0), holds, effort)
 
 
-def _falls(moving: Moving, below: float, value: Any, reach: float, effort: Effort) -> bool:
+def _falls(moving: Moving, below: float, value: arb, reach: float, effort: Effort) -> bool:
     """Whether F_v < 0 for 0 ≤ q ≤ reach, below ≤ v ≤ value, and a little beyond: F = −Im G_q for real q."""
     low = np.array([0.0, below])
     high = np.array([float(reach), float(value.mid()) * (1 + 2.0**-40)])

@@ -27,7 +27,7 @@ _POLISH = 12  # steps of Newton's method
 class Germ:
     """G(σ₀ + t) = Σ value[k] t^k + …, and the derivatives of these coefficients in v."""
 
-    value: tuple[Any, ...]
+    value: tuple[acb, ...]
     by_velocity: tuple[acb, ...]
 
 
@@ -68,7 +68,7 @@ def germ(D: Polynomial, N: Polynomial, upper: int, sigma: Any, v: Any, order: in
     return Germ(_coefficients(total.a, size), _coefficients(total.b, size))
 
 
-def root_balls(D: Polynomial, sigma: Any, v: Any) -> list[acb]:
+def root_balls(D: Polynomial, sigma: Any, v: arb) -> list[acb]:
     """Balls with one root P each, all of them, over the balls sigma and v; `PrecisionError` where they may meet."""
     wide, middle = _at(D, sigma, v), _at(D, acb(sigma).mid(), arb(v).mid())
     if wide[wide.degree()].contains(0):
@@ -96,14 +96,14 @@ def _polished(f: Any, root: acb) -> acb:
     return root
 
 
-def _newton(D: Polynomial, root: acb, sigma: Any, v: Any) -> Any:
+def _newton(D: Polynomial, root: acb, sigma: Any, v: arb) -> acb:
     """Interval Newton for δ in P = root + δ, about a thin point, so that balls stand for small departures only."""
     time, about = _centre(root, sigma, v)
     local = _shifted(D, root, about)
     by_P, by_s = _slopes(local)
     value = _number(local, acb(0), time)
 
-    def slope(disc: acb) -> Any:
+    def slope(disc: acb) -> acb:
         s = time - v * disc
         return _number(by_P, disc, s) - v * _number(by_s, disc, s)
 
@@ -118,7 +118,7 @@ def _newton(D: Polynomial, root: acb, sigma: Any, v: Any) -> Any:
     raise PrecisionError("a p-root is not isolated over the ball: split it")
 
 
-def _centre(root: acb, sigma: Any, v: Any) -> tuple[acb, acb]:
+def _centre(root: acb, sigma: Any, v: arb) -> tuple[acb, acb]:
     """(the ball of s − s₀ at P = root, the thin s₀) for s = σ − vP."""
     middle, speed = acb(sigma).mid(), arb(v).mid()
     about = (middle - speed * root).mid()
@@ -165,7 +165,7 @@ def _rows(local: Local) -> list[list[acb]]:
     return rows
 
 
-def _at(D: Polynomial, sigma: Any, v: Any) -> acb_poly:
+def _at(D: Polynomial, sigma: Any, v: arb) -> acb_poly:
     """D(P, σ − vP) as a polynomial in P."""
     s = acb_poly([sigma, -v])
     powers = [acb_poly([1])]
@@ -180,7 +180,7 @@ def _at(D: Polynomial, sigma: Any, v: Any) -> acb_poly:
     return acb_poly(coefficients)
 
 
-def _residue(D: Polynomial, N: Polynomial, root: acb, sigma: Any, v: Any, size: int) -> _Dual:
+def _residue(D: Polynomial, N: Polynomial, root: acb, sigma: Any, v: arb, size: int) -> _Dual:
     """N/D_P along the root, whose constant coefficient the ball `root` holds."""
     one, zero = _series([1], size), _series([0], size)
     thin = root.mid()

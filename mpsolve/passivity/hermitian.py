@@ -63,7 +63,7 @@ def positive(density: Density, tail: Reals) -> Any:
     return total - (moved + lost + tail) * UP > 0
 
 
-def definite(density: Density, distances: list[Affine], number: Any, tail: Reals) -> Any:
+def definite(density: Density, distances: list[Affine], number: Integers, tail: Reals) -> Any:
     """Several contacts: whether H₀ + Σ ε_k H_k + E − tail is positive definite.
 
     distances: the different distances; number[i, j], i > j: which one.

@@ -38,7 +38,7 @@ def cells(subject: Subject, q: Any, x: Reals, spread: Reals, side: int) -> Reals
     return np.sort(np.clip(ends, -reach[:, None], reach[:, None]), axis=1)
 
 
-def wavenumbers(subject: Subject, q: Any, v: Any, x: Reals) -> Any:
+def wavenumbers(subject: Subject, q: Any, v: Reals, x: Reals) -> Any:
     """The roots p of D(ip, i(q − vp)), shape (boxes, degree)."""
     rows = subject.rows
     degree = max(i + j for i, j in rows)

@@ -64,7 +64,7 @@ class Near:
         lost = (off + self._tail(ends[:, 1:], np.ravel(v.high)) + 8192 * U * size) * UP
         return (total.cumsum(1) - lost > 0).any(1)  # the cells may end anywhere
 
-    def _tail(self, end: Any, v: Any) -> Any:
+    def _tail(self, end: Any, v: Reals) -> Any:
         """What 4 v² y φ_z takes away at most beyond each end."""
         beta = self.envelope.quotient.alpha
         if beta <= 3:

@@ -53,7 +53,7 @@ class Search:
 
 
 def best_blocks(
-    z: Reals, ends: Any, middles: Reals, growth: float, sieve: float
+    z: Reals, ends: Reals, middles: Reals, growth: float, sieve: float
 ) -> tuple[tuple[float, float, float], ...]:
     """Disjoint intervals with ends in z for which Σ (length·growth − sieve)·least value is largest; few of them."""
     cells = np.minimum(np.minimum(ends[1:], ends[:-1]), middles)

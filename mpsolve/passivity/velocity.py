@@ -224,7 +224,7 @@ class _Search:
         return self._result(Kind.UNDECIDED, None, to, Status.UNDECIDED, Reason(code, message, {}, remedy))
 
     def _result(
-        self, kind: Kind, value: Any, to: arb | None, status: Status, reason: Reason | None = None
+        self, kind: Kind, value: arb | None, to: arb | None, status: Status, reason: Reason | None = None
     ) -> PassivityVelocity:
         with precision(self.bits):
             speeds = tuple(ball * rational_ball(self.unit) for ball in self.speeds)

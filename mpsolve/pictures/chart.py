@@ -44,7 +44,7 @@ class Sure:
 
 
 def chart_picture(
-    x: Any, y: Any, counts: Any, x_title: str, y_title: str, title: str,
+    x: Any, y: Any, counts: Integers, x_title: str, y_title: str, title: str,
     here: tuple[float, float] | None = None, boundaries: Sequence[Border] = (),
     proved: Sequence[tuple[float, float, bool]] = (), sure: Sequence[Sure] = (), open_words: str = "open",
     meetings: Sequence[tuple[float, float, str]] = (), numbers: Sequence[tuple[float, float, int]] = (),
@@ -157,7 +157,7 @@ def _sure(axes: Axes, one: Sure) -> str:
     return f'<path class="sure" d="{outline}"><title>proved: stable all over</title></path>'
 
 
-def _legend(counts: Any, open_words: str, sure: bool, at_zero: list[bool], meetings: bool) -> list[str]:
+def _legend(counts: Integers, open_words: str, sure: bool, at_zero: list[bool], meetings: bool) -> list[str]:
     """Four pieces of picture for each row: frame, tint, hatching, words."""
     found = sorted(set(np.ravel(counts).tolist()))
     few, more = [k for k in found if 0 < k <= 2], [k for k in found if k > 2]

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
-from mpsolve.numbers.arrays import Truths
+from mpsolve.numbers.arrays import Reals, Truths
 from mpsolve.pictures.axes import alone
 from mpsolve.pictures.chart import Border, chart_picture
 from mpsolve.problem.over import Over
@@ -79,7 +80,7 @@ def _filled(counts: Any, cells: Truths, rounds: int) -> Any:
     return counts
 
 
-def ends(edges: Sequence[Any], cells: int) -> Any:
+def ends(edges: Sequence[Fraction], cells: int) -> Reals:
     """The edges of so many cells."""
     return np.linspace(float(edges[0]), float(edges[-1]), cells + 1)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from fractions import Fraction
-from typing import Any
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import Model, Part
@@ -54,7 +53,7 @@ def _inline(model: Model) -> list[str]:
     return [_named(model), *(f"{name} = {_value(value)}" for name, value in model.parameters.items())]
 
 
-def _value(value: Any) -> str:
+def _value(value: Fraction) -> str:
     if isinstance(value, Fraction):
         return number(value)
     if isinstance(value, tuple):

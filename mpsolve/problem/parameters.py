@@ -14,7 +14,7 @@ from copy import copy
 from difflib import get_close_matches
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import msgspec
 
@@ -24,6 +24,9 @@ from mpsolve.numbers.several import Several
 from mpsolve.problem.checked import errors_under
 from mpsolve.problem.ratios import paths_of, ratio, ratios_of
 from mpsolve.vehicles.vehicle import Placed
+
+if TYPE_CHECKING:
+    from mpsolve.tracks.euler_bernoulli import EulerBernoulli
 
 _MASSES = ("kg", "kg m²")
 _VELOCITY = nonnegative("m/s", "velocity")
@@ -102,7 +105,9 @@ def changed(
     return track, moved, v
 
 
-def _ratio_changed(track: Any, placed: Any, v: Any, path: str, number: Any) -> tuple[Any, tuple[Placed, ...], Any]:
+def _ratio_changed(
+    track: EulerBernoulli, placed: Any, v: Fraction, path: str, number: Any
+) -> tuple[Any, tuple[Placed, ...], Any]:
     """Through the parameters that a ratio of the paper stands for."""
     try:
         for inner, factor in paths_of(path, len(placed)):

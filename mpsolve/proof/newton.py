@@ -38,7 +38,7 @@ class Isolated:
     """A box that holds exactly one root of f, and its sharper image, which holds that root too."""
 
     box: acb
-    image: Any
+    image: acb
 
 
 def polished(f: Analytic, seed: Any) -> acb:
@@ -70,7 +70,7 @@ def isolated(f: Analytic, middle: Any, size: Any) -> Isolated:
     raise PrecisionError(f"no box around {near:.6g} is proved to hold exactly one root: raise the precision")
 
 
-def _image(f: Analytic, middle: Any, value: Any, box: acb) -> acb | None:
+def _image(f: Analytic, middle: Any, value: acb, box: acb) -> acb | None:
     try:
         image = middle - value / f.slope(box)
     except PrecisionError:
@@ -126,7 +126,7 @@ def _next(known: int, goal: int, loss: int) -> int:
     return target
 
 
-def _accuracy(image: Any, least: Any) -> int:
+def _accuracy(image: acb, least: Any) -> int:
     """Bits of the modulus, or of `least` where that is larger, that the ball fixes."""
     if not image.is_finite():
         raise PrecisionError("interval Newton lost the root: raise the precision")

@@ -38,7 +38,7 @@ def upright(low: Reals, high: Reals) -> tuple[Reals, Reals]:
     return np.where(flat, low, a)[:-1], np.where(flat, high, b)[:-1]
 
 
-def rounded(slope: Any, low: Any, high: Any) -> Any:
+def rounded(slope: Reals, low: Any, high: Any) -> Any:
     """Slopes with few digits, near enough for boxes of this size."""
     with np.errstate(all="ignore"):
         step = np.exp2(np.floor(np.log2((high[0] - low[0]) / (high[1] - low[1]) / _FINE)))

@@ -87,7 +87,7 @@ def subdivide(
     whole = highs[0] - lows[0]
     stuck, reason, closed = 0, None, 0.0
 
-    def halve(numbers: Any, a: Any, b: Any, axis: Any, slope: Any = None) -> tuple[Integers, Reals, Reals]:
+    def halve(numbers: Integers, a: Any, b: Any, axis: Any, slope: Any = None) -> tuple[Integers, Reals, Reals]:
         new = grown.halve(numbers, a, b, axis, slope, whole, smallest)
         lows.append(new[1])
         highs.append(new[2])

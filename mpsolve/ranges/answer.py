@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.model import shown
@@ -16,6 +16,9 @@ from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given
 from mpsolve.proof.subdivide import Covered
 from mpsolve.spectrum.regions import HalfPlane
+
+if TYPE_CHECKING:
+    from mpsolve.spectrum.spectrum import Spectrum
 
 Interval = tuple[Fraction, Fraction]
 
@@ -47,7 +50,7 @@ class Proof(Portable):
     X: float
     cover: Covered
     known: tuple[Any, ...] = ()
-    base: Any = None
+    base: Spectrum | None = None
 
 
 @dataclass(frozen=True)
@@ -87,7 +90,7 @@ class Answer(Result):
         return f"{type(self).__name__}{over and f' over {over}'}: {none}{self.trust}"
 
 
-def growing(base: Any) -> int | None:
+def growing(base: Spectrum) -> int | None:
     """The certified number of roots in the whole half-plane Im q < 0; None where only a part of it is counted."""
     return base.unstable if base.proved and base.region == HalfPlane() else None
 

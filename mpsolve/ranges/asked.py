@@ -21,7 +21,7 @@ class Asked:
 
     low: Reals
     high: Reals
-    ends: Any
+    ends: Reals
     room_low: Reals
     room_high: Reals
 

@@ -45,7 +45,7 @@ class Boundary(Portable):
     radius: tuple[float, float]
 
 
-def boundaries(matrix: FreeMatrix, near: Any, corners: tuple[Any, Any], units: Any) -> tuple[Boundary, ...]:
+def boundaries(matrix: FreeMatrix, near: Reals, corners: tuple[Reals, Any], units: Any) -> tuple[Boundary, ...]:
     """The curves next to points (q̂, x̂, ŷ), the longest first. units: of (q, x, y)."""
     whole = corners[1] - corners[0]
     out: list[Boundary] = []
@@ -199,7 +199,7 @@ def _between(curves: Curves, chains: list[_Chain]) -> None:
         chain.good.insert(k + 1, False)
 
 
-def _steps(curves: Curves, ends: Any, sizes: Reals) -> Truths:
+def _steps(curves: Curves, ends: Reals, sizes: Reals) -> Truths:
     """Between which ends one arc passes; sizes: of the enclosures of the ends."""
     out = np.zeros(ends.shape[2], bool)
     for least in curves.wider:
@@ -209,7 +209,7 @@ def _steps(curves: Curves, ends: Any, sizes: Reals) -> Truths:
     return out
 
 
-def _steps_over(curves: Curves, ends: Any, sizes: Reals, least: float) -> Any:
+def _steps_over(curves: Curves, ends: Reals, sizes: Reals, least: float) -> Any:
     middle, way, whole = ends.mean(0), np.abs(ends[1] - ends[0]), curves.whole[:, None]
     found = curves.arcs(middle, _WIDER * way + _LEAST * (way / whole).max(0) * whole, least)
     t, along = found.along((middle - found.m) / found.r), found.along(way / 2 / found.r)
@@ -222,7 +222,7 @@ def _steps_over(curves: Curves, ends: Any, sizes: Reals, least: float) -> Any:
     return good
 
 
-def _curves(chain: _Chain, units: Any, corners: tuple[Any, Any] | None) -> list[Boundary]:
+def _curves(chain: _Chain, units: Reals, corners: tuple[Reals, Any] | None) -> list[Boundary]:
     """The parts of a chain that are proved without a gap, in the range; a step that leaves it leads to its edge."""
     points, good = np.array(chain.points), np.array(chain.good)
     unbroken = bool(good.all()) and chain.path.whole

@@ -42,7 +42,7 @@ class Part:
     x: float
     r_q: float
     r_x: float
-    ends: tuple[Any, Any]
+    ends: tuple[arb, arb]
     last: acb
     bends: tuple[arb, ...]
     rises: tuple[arb, ...]
@@ -118,7 +118,7 @@ def tube(matrix: FreeMatrix, points: Any, edges: list[Any]) -> Tube | None:
     return Tube(tuple(parts))
 
 
-def _part(model: Model, at: Sequence[float], size: Any, ends: tuple[Any, Any]) -> Part | None:
+def _part(model: Model, at: Sequence[float], size: Any, ends: tuple[arb, arb]) -> Part | None:
     with precision(_BITS):
         low, high = ((arb(x) - arb(at[1])) / arb(size[1]) for x in ends)
         if not (abs(low) < arb(0.5) and abs(high) < arb(0.5)):
@@ -144,7 +144,7 @@ class Model:
         ball = arb(0, (self.e * share).upper())
         return acb(ball, ball)
 
-    def value(self, u: Any, t: Any) -> Any:
+    def value(self, u: acb, t: Any) -> Any:
         a, b0, b1, c00, c01, c11 = self.k
         return a + b0 * u + b1 * t + c00 * u * u + c01 * u * t + c11 * t * t + self._rest(1)
 

@@ -15,7 +15,7 @@ import numpy as np
 from mpsolve.certificate.format import FORMAT, Certificate, digest
 from mpsolve.certificate.spectrum_file import VERSION, basis_entry, dyadic
 from mpsolve.errors import CertificateError
-from mpsolve.numbers.arrays import Integers
+from mpsolve.numbers.arrays import Integers, Reals
 from mpsolve.numbers.balls import arb
 from mpsolve.numbers.several import Several
 from mpsolve.passivity.far import far_numbers
@@ -75,7 +75,7 @@ def _certificate(
     kind: str,
     scope: Scope,
     tree: Tree,
-    zeros: Sequence[tuple[Crossing, tuple[Any, Any]]],
+    zeros: Sequence[tuple[Crossing, tuple[Any, Reals]]],
     bases: Sequence[Base],
     claim: Mapping[str, Any],
 ) -> Certificate:

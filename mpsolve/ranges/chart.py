@@ -69,7 +69,7 @@ class Chart(Answer):
     boundaries: tuple[Boundary, ...] = ()
     meetings: tuple[Meeting, ...] = ()
     traced: bool = False
-    detail: Any = field(default=None, repr=False)
+    detail: Integers | None = field(default=None, repr=False)
 
     @property
     def share(self) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,6 +19,9 @@ from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval, growing, uncounted
 from mpsolve.ranges.cells import OPEN, inmost
 from mpsolve.ranges.undamped import at_corner
+
+if TYPE_CHECKING:
+    from mpsolve.spectrum.spectrum import Spectrum
 
 _MOST_PARTS = 60
 
@@ -34,7 +37,7 @@ class Part:
     cells: int
     point: Mapping[str, Fraction]
     roots: int | None
-    spectrum: Any = field(repr=False, default=None)
+    spectrum: Spectrum | None = field(repr=False, default=None)
 
 
 def counted(

@@ -68,7 +68,7 @@ class CrossingCurve:
         balls = planar.sharpened(f, zero, goal)
         return balls, self._rates(f.reduction, balls, x)[1]
 
-    def over(self, state: tuple[Any, ...], x: Any) -> tuple[Any, ...]:
+    def over(self, state: tuple[arb, ...], x: Any) -> tuple[arb, ...]:
         middle = arb(x.mid())
         f = self._plane(state, middle, middle)
         over = InPlane(cast(FreeProved, Fixed(self.proved, x)), f.reduction)

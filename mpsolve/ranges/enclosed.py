@@ -43,7 +43,7 @@ class InPlane:
     reduction: Reduction
     edge: Edge = REAL_AXIS
 
-    def value(self, y: Any, x: Any) -> Any:
+    def value(self, y: Any, x: Any) -> acb:
         return self.reduction.scalar(self.proved.matrices(self.edge.sigma(y), [x], slopes=False)[0])
 
     def slopes(self, y: Any, x: arb) -> tuple[acb, acb]:
@@ -59,7 +59,7 @@ class _AtZero:
     reduction: Reduction
     edge: Edge
 
-    def value(self, x: Any) -> Any:
+    def value(self, x: Any) -> acb:
         return self.reduction.scalar(self.proved.matrices(self.edge.sigma(0), [x], slopes=False)[0])
 
     def slope(self, x: acb) -> acb:

@@ -67,14 +67,14 @@ def solve(job: Job) -> Entry:
         return Entry("undecided", "undecided", ends, Reason("entry", str(error), {}, ""))
 
 
-def _onset(job: Job, found: Onset, ends: Any) -> Entry:
+def _onset(job: Job, found: Onset, ends: tuple[Fraction, Fraction]) -> Entry:
     if found.kind is Kind.CROSSES:
         return Entry("proved", number(found.value, job), ends, balls=(found.value,))
     status = "stable" if found.kind is Kind.STABLE else "unstable"
     return Entry(status, status, ends)
 
 
-def _ranges(job: Job, found: UnstableRanges, ends: Any) -> Entry:
+def _ranges(job: Job, found: UnstableRanges, ends: tuple[Fraction, Fraction]) -> Entry:
     if not found.intervals:
         return Entry("stable", "stable", ends)
     texts = [f"{number(one.start, job)}..{number(one.end, job)}" for one in found.intervals]

@@ -79,7 +79,7 @@ def met(matrix: FreeMatrix, start: Any, half: Reals) -> Any:
     return m[:, (np.abs(step)[:2] < _DONE * half[:2]).all(0)]
 
 
-def _least(found: Any, family: Family) -> tuple[float, float] | None:
+def _least(found: Reals, family: Family) -> tuple[float, float] | None:
     low, high = (float(x) for x in family.box[0])
     inside = (found[0] > 0) & (found[1] > low) & (found[1] < high)
     return min(((float(q), float(x)) for q, x in found[:2, inside].T), key=lambda one: one[1], default=None)

@@ -33,7 +33,7 @@ def stretch(line: Line, number: int) -> tuple[arb, arb] | None:
     )
 
 
-def follow(line: Line, found: Candidate, ends: tuple[Any, Any]) -> Tube | None:
+def follow(line: Line, found: Candidate, ends: tuple[arb, arb]) -> Tube | None:
     """The root, followed from one end to the other while it is below the line: lowest at one point, proved."""
     path = _path(line, found)
     for number in _TUBES:

@@ -24,6 +24,7 @@ import numpy as np
 from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.errors import InputError
+from mpsolve.numbers.arrays import Integers, Reals
 from mpsolve.numbers.jets import TINY, UP
 from mpsolve.numbers.several import Several
 from mpsolve.problem.family import Family
@@ -105,12 +106,12 @@ class HeavyJudge(Judge):
             kind[edge], axis[edge] = self._corner(low[:, edge], high[:, edge])
         return kind, axis
 
-    def _outside(self, low: Any, high: Any) -> tuple[Any, Any]:
+    def _outside(self, low: Reals, high: Reals) -> tuple[Reals, Reals]:
         """x̂ < least on the whole box where the first is below the second."""
         square = low[0] * low[0] * self.least / UP / UP
         return (high[1], square) if not self.quick else (np.ones_like(square), square * low[1] / UP)
 
-    def _corner(self, low: Any, high: Any) -> tuple[Any, Any]:
+    def _corner(self, low: Reals, high: Reals) -> tuple[Integers, Integers]:
         m = np.stack([0 * low[0], low[1] / 2 + high[1] / 2])
         boxes = Boxes(m, np.stack([high[0], np.maximum(high[1] - m[1], m[1] - low[1])]) * UP + 2.0**-1000)
         A, G = self.matrix(boxes)

@@ -62,7 +62,7 @@ class Least:
     A worst value without an onset: there roots grow from the start of the range on.
     """
 
-    value: Any | None
+    value: arb | None
     q: Any | None
     worst: arb | None
     where: str

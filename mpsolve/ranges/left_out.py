@@ -8,6 +8,8 @@ from fractions import Fraction
 from math import isqrt
 from typing import Any
 
+from flint import arb
+
 from mpsolve.numbers.balls import rational_ball
 from mpsolve.numbers.packed import Portable
 from mpsolve.outcome import Reason
@@ -25,7 +27,7 @@ class LeftOut(Portable):
     """
 
     name: str
-    value: Any
+    value: arb
     start: Any
     end: Any
 

@@ -48,7 +48,7 @@ NEXT = "give a shorter range round the lowest point"
 class Found:
     """What is proved: see `worst.Worst`."""
 
-    value: Any
+    value: arb
     q: Any
     where: str
     reach: Fraction | None

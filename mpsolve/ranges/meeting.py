@@ -117,7 +117,7 @@ class Both:
         one, other = (proved.matrices(acb(0, q), x, slopes=False)[0] for q in at[:2].tolist())
         return cls(proved, (Reduction.of(one, near_root=True), Reduction.of(other, near_root=True)))
 
-    def value(self, one: Any, other: Any, x: Any, y: Any) -> tuple[Any, ...]:
+    def value(self, one: Any, other: arb, x: Any, y: Any) -> tuple[acb, ...]:
         each = zip(self.reductions, (one, other), strict=True)
         return tuple(r.scalar(self.proved.matrices(acb(0, q), [x, y], slopes=False)[0]) for r, q in each)
 

@@ -50,7 +50,7 @@ class Onset(Valued, Answer):
 
     digits: int = 15
     kind: Kind = Kind.UNDECIDED
-    value: Any | None = None
+    value: arb | None = None
     q: Any | None = None
     worst: arb | None = None
     where: str = ""

@@ -48,7 +48,7 @@ _ROOM_BITS = 768  # for the values themselves: more than an enclosure tries
 class OnsetBall:
     """A proved onset and its frequency: balls in the problem's units."""
 
-    value: Any
+    value: arb
     q: Any
 
 

@@ -75,7 +75,7 @@ def _rest(effort: Effort | None, started: float) -> Callable[[], Effort | None]:
 
 def _part(
     problem: Problem, left: Any, right: Any, side: int | None, find: Find, none: Any, effort: Callable[[], Any]
-) -> Any:
+) -> tuple[tuple[Fraction | None, Fraction | None], Crossings] | None:
     """(the ends as far as proved, None for the speed itself; the answer), or None where there is nothing between."""
     (below, low), (above, high) = left, right
     start = low if below is None else below.beside(1)

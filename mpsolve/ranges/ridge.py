@@ -31,7 +31,7 @@ REGULAR = 0.9
 _TURNED = 1 + 2.0**-40  # more than the modulus of a float next to the unit circle
 
 
-def alone(matrix: FreeMatrix, middle: Any, size: Any) -> Truths:
+def alone(matrix: FreeMatrix, middle: Any, size: Reals) -> Truths:
     """Which boxes (columns) have one crossing at most for each y, in their halves."""
     A, G = matrix(Boxes(middle, size))
     reduced = scalar(A, G.good)
@@ -74,7 +74,7 @@ def solved(g0: Complexes, g1: Complexes, z: Complexes) -> Reals:
     return np.where(det > 0, w / det * (1 + 16 * U), np.inf)
 
 
-def solved_size(g0: Complexes, g1: Complexes, size: Any) -> Reals:
+def solved_size(g0: Complexes, g1: Complexes, size: Reals) -> Reals:
     """The same for all z of a modulus."""
     with np.errstate(all="ignore"):
         det = np.abs((g0.conj() * g1).imag) - 8 * U * np.abs(g0) * np.abs(g1)
@@ -111,7 +111,7 @@ class Ridge:
         last = next((k for k in range(len(self.rates), 0, -1) if not self.rates[k - 1][0] > 0), 0)
         return first < last and all(bool(bend > 0) for _, bend in self.rates[first:last])
 
-    def within(self, middle: Any, size: Any) -> bool:
+    def within(self, middle: Any, size: Reals) -> bool:
         """Whether all of it lies in the half of a box, in q̂ and x̂."""
         with precision(_BITS):
             return all(
@@ -179,7 +179,7 @@ class _Model:
         ball = arb(0, (self.e * share).upper())
         return acb(ball, ball)
 
-    def value(self, u: Any, w: Any, t: Any) -> Any:
+    def value(self, u: acb, w: acb, t: acb) -> Any:
         a, b0, b1, b2, c00, c01, c02, c11, c12, c22 = self.k
         square = c00 * u * u + c01 * u * w + c02 * u * t + c11 * w * w + c12 * w * t + c22 * t * t
         return a + b0 * u + b1 * w + b2 * t + square + self._rest(1)

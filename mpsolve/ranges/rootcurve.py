@@ -27,7 +27,7 @@ class AtPoint:
         A = proved.matrices(acb(0, 1) * q, [x], slopes=False)[0]
         return AtPoint(proved, x, Reduction.of(A, near_root=True))
 
-    def value(self, q: Any) -> Any:
+    def value(self, q: Any) -> acb:
         return self.reduction.scalar(self.proved.matrices(acb(0, 1) * q, [self.x], slopes=False)[0])
 
     def slope(self, q: Any) -> acb:
@@ -63,7 +63,7 @@ class RootCurve:
         ball = newton.sharpened(f, newton.isolated(f, newton.polished(f, state[0]), abs(state[0])).image, goal)
         return (ball,), f.motion(ball).imag
 
-    def over(self, state: tuple[Any, ...], x: Any) -> tuple[Any, ...]:
+    def over(self, state: tuple[acb, ...], x: Any) -> tuple[acb, ...]:
         f = AtPoint.near(self.proved, state[0], x.mid())
         over = AtPoint(self.proved, x, f.reduction)
         return (newton.isolated(over, newton.polished(f, state[0]), abs(state[0])).image,)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from time import process_time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from mpsolve.certificate.solve import certify_problem
 from mpsolve.characteristic.free_proved import FreeProved
@@ -23,6 +23,9 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Answer, Spent
+
+if TYPE_CHECKING:
+    from mpsolve.spectrum.spectrum import Spectrum
 
 _GUARD = 64
 
@@ -44,7 +47,7 @@ class Sensitivity(Answer):
 
     roots: tuple[Moved, ...] = ()
     left_out: Mapping[str, str] = field(default_factory=dict)
-    spectrum: Any = field(default=None, repr=False)
+    spectrum: Spectrum | None = field(default=None, repr=False)
 
     def rows(self) -> list[Mapping[str, Any]]:
         """The answer as a table, numbers as floats: one mapping for each row."""

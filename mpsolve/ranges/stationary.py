@@ -60,7 +60,7 @@ class Candidate:
         ]
 
 
-def lowest_near(curve: Curve, state: State, x: float, ends: tuple[Any, Any], step: float) -> Candidate:
+def lowest_near(curve: Curve, state: State, x: float, ends: tuple[arb, arb], step: float) -> Candidate:
     """The lowest point near x̂, within the ends (balls); no step is longer than `step`."""
     with precision(_BITS):
         low, high = (arb(end.mid()) for end in ends)

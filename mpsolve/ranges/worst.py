@@ -41,7 +41,7 @@ class Worst(Valued, Answer):
     """
 
     digits: int = 15
-    value: Any | None = None
+    value: arb | None = None
     q: Any | None = None
     where: str = ""
     reach: Fraction | None = None

@@ -20,6 +20,8 @@ from mpsolve.waves.velocity import CriticalVelocities
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from mpsolve.tracks.euler_bernoulli import EulerBernoulli
+
 _POINTS, _SPEEDS, _PLACES = 401, 121, 81
 _COLOURS = ("#D55E00", "#0072B2", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 
@@ -40,7 +42,7 @@ def save_critical(track: Any, found: CriticalVelocities, path: Path, title: str 
     return write_whole(path, rendered(figure, kind))
 
 
-def draw_dispersion(track: Any, found: CriticalVelocities, ax: Axes) -> Axes:
+def draw_dispersion(track: EulerBernoulli, found: CriticalVelocities, ax: Axes) -> Axes:
     """All undamped branches, and for each critical velocity the line Ω = ω − vp that touches one of them."""
     guide, omega = undamped(track), float(found.omega)
     known = [abs(float(one.wavenumber.mid())) for one in found if one.wavenumber is not None]
@@ -63,7 +65,7 @@ def draw_dispersion(track: Any, found: CriticalVelocities, ax: Axes) -> Axes:
     return ax
 
 
-def draw_deflection(track: Any, found: CriticalVelocities, ax: Axes) -> Axes:
+def draw_deflection(track: EulerBernoulli, found: CriticalVelocities, ax: Axes) -> Axes:
     """The largest deflection under a unit force of frequency ω over its velocity, with the track's own damping."""
     low, high = float(found.lower), float(found.upper)
     critical = [float(one.value.mid()) for one in found]
@@ -89,6 +91,6 @@ def draw_deflection(track: Any, found: CriticalVelocities, ax: Axes) -> Axes:
     return ax
 
 
-def _wavelength(track: Any) -> float:
+def _wavelength(track: EulerBernoulli) -> float:
     """A wavenumber that is typical of the track: where inertia or bending begins to count."""
     return float(2.0 ** -track_guide(track, Fraction(0)).length)

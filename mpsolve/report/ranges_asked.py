@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any
 
 from mpsolve.errors import InputError
 from mpsolve.outcome import Reason
@@ -33,7 +32,7 @@ class Asked:
     slower: bool = False
 
     @property
-    def over(self) -> dict[str, tuple[Fraction, Any]]:
+    def over(self) -> dict[str, tuple[Fraction, Fraction | None]]:
         """The ranges as the library takes them; an end that is open is None."""
         return {one.path: (one.low, one.high) for one in self.overs}
 

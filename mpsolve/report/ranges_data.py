@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from mpsolve.files import csv_text
 from mpsolve.numbers.spoken import decimal
@@ -14,6 +14,9 @@ from mpsolve.report.ranges_asked import Asked
 from mpsolve.report.ranges_words import Said, trust
 from mpsolve.report.spectrum_data import number, spectrum_data
 from mpsolve.report.spectrum_words import ASSUMED
+
+if TYPE_CHECKING:
+    from mpsolve.problem.over import Over
 
 FORMAT = "mpsolve ranges"
 VERSION = 1
@@ -56,7 +59,7 @@ def parts_data(each: list[dict[str, Any]]) -> dict[str, Any]:
     return {"format": FORMAT, "version": VERSION, "question": each[0]["question"], "parts": each}
 
 
-def _range(over: Any, asked: Asked) -> dict[str, Any]:
+def _range(over: Over, asked: Asked) -> dict[str, Any]:
     own = asked.problem.parameters.get(over.path)
     ends = {"low": over.low, "high": over.high, "own": own}
     exact = {name: x if x is None else number(x) for name, x in ends.items()}

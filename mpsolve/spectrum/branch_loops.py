@@ -15,6 +15,7 @@ from mpsolve.characteristic.loops import turn_round
 from mpsolve.characteristic.paths import Paths
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.jets import UP, U
 from mpsolve.numbers.realroots import end_of
@@ -55,7 +56,7 @@ class Loop:
     centre: float
     radius: float
     sides: int
-    points: Any
+    points: Complexes
     half: tuple[float, float] = field(compare=False)
     """The change of arg Δ̂ from `first` to `last`, below the real axis, and a bound of its error."""
     ways: Ways | None = None

@@ -18,12 +18,13 @@ from mpsolve.characteristic.roots import root_balls
 from mpsolve.characteristic.symbol import Symbols
 from mpsolve.characteristic.table import Table
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.jets import UP, U
 from mpsolve.problem.reduced import Reduced
 
 
-def closing_argument(reduced: Reduced, rho: float, middle: Any, radius: Any) -> arb:
+def closing_argument(reduced: Reduced, rho: float, middle: Any, radius: Reals) -> arb:
     """Σ Arg(pivots of M) at q̂ = ρ from G = middle ± radius between the places; PrecisionError where it stays open.
 
     M is accretive where V is passive at ρ, as the caller has proved; that M₀, made of the middle, is so too is proved
@@ -83,7 +84,7 @@ def _pivot_arguments(M: list[list[acb]]) -> arb | None:
     return total
 
 
-def _spread(reduced: Reduced, rho: float, middle: Any, radius: Any) -> float:
+def _spread(reduced: Reduced, rho: float, middle: Any, radius: Reals) -> float:
     """A bound of how far the arguments of M and M₀ differ."""
     with precision(64):
         exact = _accretive(reduced, acb(0, rho), middle)

@@ -7,7 +7,6 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from flint import arb
 
 from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.origin import origin, waves_meet_at_zero
@@ -16,7 +15,8 @@ from mpsolve.characteristic.paths import ROOM, Paths, Proved
 from mpsolve.characteristic.start import Start, start
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
-from mpsolve.numbers.balls import precision
+from mpsolve.numbers.arrays import Complexes
+from mpsolve.numbers.balls import arb, precision
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.passivity.beyond import Beyond, plan_beyond
 from mpsolve.passivity.growth import fastest_growth
@@ -236,14 +236,14 @@ def _own_frequency(reduced: Reduced) -> float:
     return float(np.abs(values).max()) if np.isfinite(values).all() else 0.0
 
 
-def _descent(first: Start, h: float) -> Any:
+def _descent(first: Start, h: float) -> Complexes:
     """From the start along the imaginary axis to i h."""
     down = -1j * first.depth * np.array([1, 0.75, 0.5, 0.3, 0.2, 0.1, 0.05, 0.02])
     up = [0j, complex(0, h)] if h else [0j]
     return np.concatenate([down.astype(np.complex64).astype(complex), up])
 
 
-def _along(rho: float, h: float) -> Any:
+def _along(rho: float, h: float) -> Complexes:
     """From i h to ρ + i h and down to ρ."""
     corner = complex(rho, h)
     line = side(complex(0, h), corner, 24)

@@ -41,13 +41,13 @@ class Scalar:
     proved: Proved
     reduction: Reduction
 
-    def value(self, sigma: Any) -> Any:
+    def value(self, sigma: Any) -> acb:
         return self.reduction.scalar(self.proved.matrices(sigma, slope=False)[0])
 
     def slope(self, sigma: Any) -> Any:
         return self.reduction.scalar_slope(*self.proved.matrices(sigma, mean=False))
 
-    def both(self, sigma: Any) -> tuple[Any, Any]:
+    def both(self, sigma: Any) -> tuple[acb, acb]:
         A, A_sigma = self.proved.matrices(sigma, mean=False)
         return self.reduction.scalar(A), self.reduction.scalar_slope(A, A_sigma)
 
@@ -77,7 +77,7 @@ def _isolate(proved: Proved, seed: Any) -> Box:
     return Box(function, enclosed(function, start, start.abs_upper(), lines))
 
 
-def _function(proved: Proved, start: Any) -> tuple[Scalar, Any]:
+def _function(proved: Proved, start: Any) -> tuple[Scalar, acb]:
     """The scalar made next to the root, and a point to which Newton's method has led."""
     for _ in range(_APPROACH):
         middle = start.mid()
@@ -102,7 +102,7 @@ def enclose(proved: Proved, seed: complex, digits: int) -> RootBall:
     return refine(isolate(proved, seed), digits)
 
 
-def in_units(sigma: Any, unit: Fraction) -> Any:
+def in_units(sigma: Any, unit: Fraction) -> acb:
     """q = −iσ in the problem's units: both steps are exact."""
     scale = rational_ball(unit)
     return acb(sigma.imag * scale, -sigma.real * scale)

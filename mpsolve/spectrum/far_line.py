@@ -19,6 +19,7 @@ from mpsolve.characteristic.residues import waves
 from mpsolve.characteristic.table import Table
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Complexes, Reals
 from mpsolve.numbers.jets import UP, Jet
 from mpsolve.problem.line import Line, discriminant
 
@@ -99,7 +100,7 @@ class Waves:
     largest: float
 
 
-def _waves(line: Line, W: Any) -> list[Waves | None]:
+def _waves(line: Line, W: Reals) -> list[Waves | None]:
     """For each W, by the maximum principle from arcs of the circle |u| = 1/W; None where roots are not told apart.
 
     u → ū takes the waves a, e, f, c to the conjugates of e, a, c, f, and u → −u takes their weights to those of
@@ -133,7 +134,7 @@ def _waves(line: Line, W: Any) -> list[Waves | None]:
     ]
 
 
-def _near(D: Table, u: Any, corners: Any) -> Any:
+def _near(D: Table, u: Complexes, corners: Complexes) -> Complexes:
     """Floats near the roots at each u, in the order of the roots at u = 0 that they come from."""
     z = near_roots(D.in_time(u)[0][:, 0, :])
     order = np.abs(z[:, None, :] - corners[None, :, None]).argmin(2)

@@ -24,7 +24,7 @@ class _Roots:
     proved: Proved
     most: int = 6
 
-    def series(self, centre: Any, shrink: int) -> Taylor:
+    def series(self, centre: acb, shrink: int) -> Taylor:
         outer = arb(2) ** (math.frexp(float(centre.abs_lower()))[1] - 1 - _OUTER)
         bound = arb(self._delta(centre + square(outer)).abs_upper())
         if not bound.is_finite():

@@ -19,6 +19,7 @@ from mpsolve.characteristic.path import Kind, Path
 from mpsolve.characteristic.paths import Paths
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.jets import UP, U
 from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.cover import OpenPieceError
@@ -41,8 +42,8 @@ class Ways:
     linked: bool
     first: float
     last: float
-    before: Any
-    behind: Any
+    before: Complexes
+    behind: Complexes
     turn: tuple[float, float]
 
     @property
@@ -51,7 +52,7 @@ class Ways:
         return self.near.z
 
     @property
-    def ends(self) -> tuple[Any, Any]:
+    def ends(self) -> tuple[Complexes, Complexes]:
         """The points of both ways that count from z: all but `first` and `last`."""
         return self.before[1:], self.behind[:-1]
 
@@ -85,7 +86,7 @@ def ways_to(paths: Paths, near: LocalArrays, radius: float, reach: float, linked
     return Ways(near, linked, first, last, proved.paths[0].points, proved.paths[1].points, turn)
 
 
-def _planned(local: Paths, kind: Kind, points: Any, effort: Effort) -> Path:
+def _planned(local: Paths, kind: Kind, points: Complexes, effort: Effort) -> Path:
     """Each part by itself: what is too short for a piece is told by the length of a part."""
     found = [points[:1]]
     try:

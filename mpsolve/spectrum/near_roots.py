@@ -13,6 +13,7 @@ import numpy as np
 from flint import acb, arb
 
 from mpsolve.characteristic.local import LocalArrays
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.problem.line import Line
 from mpsolve.spectrum.branch_loops import edge_points
@@ -28,7 +29,7 @@ _STEP, _STEPS, _SAME, _BEST, _FEW = 1e-5, 12, 1e-6, 60, 24
 _BITS = 256
 
 
-def near_branch_points(count: SheetCount) -> list[Any]:
+def near_branch_points(count: SheetCount) -> list[acb]:
     """Approximate roots σ̂ with Re q ≥ 0 next to branch points with small loops, as exact numbers."""
     out = [] if count.rest is None else _at_rest(count.rest)
     for half, sign in ((count.lower, 1), (count.upper, -1)):
@@ -77,14 +78,14 @@ def _at_rest(rest: Rest) -> list[Any]:
     return out
 
 
-def _sigma(line: Line, branch: Fraction, t: complex, sign: int) -> Any:
+def _sigma(line: Line, branch: Fraction, t: complex, sign: int) -> acb:
     """i q̂ with q̂ = z_b + t + iη below the line of the cuts, and its mirror above it."""
     with precision(_BITS):
         z, height = map(rational_ball, (branch, line.height))
         return acb(-height - sign * arb(t.imag), z + arb(t.real)).mid()
 
 
-def _found(near: LocalArrays, least: float, most: float, up: int) -> Any:
+def _found(near: LocalArrays, least: float, most: float, up: int) -> Complexes:
     """The t of roots on the lower half of the sheet, or on the real axis before the cut."""
     if most <= least:
         return np.zeros(0, complex)
@@ -114,7 +115,7 @@ def _settled(x: Any, newton: Callable[[Any], Any], most: int = _BEST) -> list[co
     return kept
 
 
-def _newton(near: LocalArrays, zeta: Any, up: int) -> Any:
+def _newton(near: LocalArrays, zeta: Complexes, up: int) -> Complexes:
     """Newton's step for ζ Δ̂; what is not finite does not move."""
     points = np.concatenate([zeta, zeta * (1 + _STEP), zeta * (1 - _STEP)])
     m = 1j * points**2

@@ -30,9 +30,9 @@ class Shape(Portable):
     A coordinate that is an angle is in radians per metre of the largest motion. places: in the problem's units.
     """
 
-    bodies: dict[str, Any]
+    bodies: dict[str, acb]
     places: tuple[Fraction, ...]
-    rail: tuple[Any, ...]
+    rail: tuple[acb, ...]
 
 
 def root_shape(problem: Problem, q: Any, multiplicity: int = 1, places: Sequence[object] | None = None) -> Shape:
@@ -75,7 +75,7 @@ def _shape(proved: Proved, sigma: Any, asked: tuple[Fraction, ...]) -> Shape:
     return Shape(bodies, asked, rail)
 
 
-def _motions(reduced: Reduced, y: Sequence[Any]) -> list[Any]:
+def _motions(reduced: Reduced, y: Sequence[Any]) -> list[acb]:
     """The vehicle's own coordinates, in units in which the rail's are Ĝ: y = Q d ŷ, Q the basis of the felt part."""
     grown = [x * rational_ball(Fraction(2) ** k) for x, k in zip(y, reduced.scales, strict=False)]
     basis = reduced.parts.basis

@@ -22,6 +22,7 @@ from mpsolve.characteristic.paths import ROOM, Paths, Proved
 from mpsolve.characteristic.start import Start, start
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.balls import precision
 from mpsolve.problem.line import Line
 from mpsolve.proof.effort import Effort
@@ -169,7 +170,7 @@ def _passive_end(line: Line) -> float:
     return e
 
 
-def _way(line: Line, begin: float, end: float, loops: list[Loop], down: bool) -> list[Any]:
+def _way(line: Line, begin: float, end: float, loops: list[Loop], down: bool) -> list[Complexes]:
     """From begin along the edge to `end`, without what loops go round; down: and on to end − i end and −i end."""
     ways, at = [], begin
     for loop in loops:
@@ -201,7 +202,7 @@ def _edge(line: Line, a: float, b: float) -> Any:
     return short[np.concatenate([[True], np.diff(short) > 0])] + 0j
 
 
-def _proved(paths: Paths, first: Start, way: list[Any], loops: list[Loop], effort: Effort) -> Proved:
+def _proved(paths: Paths, first: Start, way: list[Complexes], loops: list[Loop], effort: Effort) -> Proved:
     """The link from the start to the begin of the way, and the turns along its parts, between which are loops."""
     below = complex(0, -first.depth)
     link = np.linspace(below, way[0][0], 7)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 from typing import TYPE_CHECKING, Any
 
-from flint import arb
+from flint import acb, arb
 
 from mpsolve.display import card
 from mpsolve.frozen import frozen
@@ -20,6 +20,7 @@ from mpsolve.problem.warned import warned
 from mpsolve.spectrum.regions import Answered, Below, HalfPlane, Rectangle, Sheet
 
 if TYPE_CHECKING:
+    from mpsolve.certificate.format import Certificate
     from mpsolve.spectrum.shape import Shape
 
 _GUARD = 32
@@ -90,12 +91,12 @@ class Spectrum(Result):
     unstable: int | None = None
     roots: tuple[Root, ...] = ()
     neutral: int = 0
-    unfelt: tuple[Any, ...] = ()
+    unfelt: tuple[acb, ...] = ()
     note: str = ""
     closing: str = ""
     verified: str = ""
     known: Mapping[str, Any] = field(default_factory=dict)
-    certificate: Any = field(default=None, repr=False)
+    certificate: Certificate | None = field(default=None, repr=False)
     cost: Cost = field(default_factory=lambda: Cost(0.0))
 
     @property

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from fractions import Fraction
 from math import lcm
-from typing import Any
 
 from flint import acb, fmpz_poly
 
@@ -16,7 +15,7 @@ from mpsolve.vehicles.vehicle import Rows
 _BITS = 128
 
 
-def unfelt_frequencies(parts: Parts) -> tuple[Any, ...]:
+def unfelt_frequencies(parts: Parts) -> tuple[acb, ...]:
     """Balls of the q with det(K + iqC − q²M) = 0 on the unfelt part, in the problem's units, as often as they are."""
     if parts.unfelt is None:
         return ()
@@ -33,7 +32,7 @@ def _entry(parts: tuple[Rows, ...], i: int, j: int) -> Polynomial:
     return {(0, k): rows[i][j] for k, rows in enumerate(parts) if rows[i][j]}
 
 
-def _integers(polynomial: Polynomial) -> Any:
+def _integers(polynomial: Polynomial) -> fmpz_poly:
     """The polynomial in σ times a whole number."""
     top = max(j for _, j in polynomial)
     values = [polynomial.get((0, j), Fraction(0)) for j in range(top + 1)]

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.display import card
+from mpsolve.numbers.arrays import Complexes, Reals, Truths
 from mpsolve.outcome import Reason
 from mpsolve.problem.case import Case
 from mpsolve.vehicles.load import Load
@@ -27,11 +28,11 @@ class HarmonicPair:
 
     q: complex
     multiplicity: int
-    amplitude: Any
-    contribution: Any
+    amplitude: Complexes
+    contribution: Reals
 
 
-def modulus(pairs: Sequence[tuple[complex, Any]], tau: Any) -> Any:
+def modulus(pairs: Sequence[tuple[complex, Complexes]], tau: Reals) -> Any:
     """|Σ amplitude e^{iqτ}|, shape (len(amplitude), len(tau))."""
     return np.abs(sum(np.multiply.outer(np.asarray(a), np.exp(1j * q * tau)) for q, a in pairs))
 
@@ -52,16 +53,16 @@ class Response:
 
     case: Case
     loads: tuple[Load, ...]
-    xi: Any
-    tau: Any
+    xi: Reals
+    tau: Reals
     steady: Any
-    steady_harmonic: Any
-    harmonic: Any
-    transient: Any
+    steady_harmonic: Reals
+    harmonic: Reals
+    transient: Reals
     harmonic_pairs: tuple[HarmonicPair, ...]
-    velocity: Any
-    acceleration: Any
-    contact_forces: Any
+    velocity: Reals
+    acceleration: Reals
+    contact_forces: Reals
     contact_loss: tuple[float | None, ...]
     contact_note: tuple[str, ...]
     error: float
@@ -86,7 +87,7 @@ class Response:
         return Event(event.time * unit, event.contact, event.tolerance * unit)
 
     @property
-    def within(self) -> Any:
+    def within(self) -> Truths:
         """Which times are within the model: before the first lift-off, (len(tau),) of booleans."""
         return np.full(len(self.tau), True) if self.lift_off is None else self.tau <= self.lift_off.time
 

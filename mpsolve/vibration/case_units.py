@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.exact import Exact
 from mpsolve.problem.case import Case
 from mpsolve.problem.cases import as_problem
@@ -36,7 +37,7 @@ class CaseUnits:
             Load(times * one.constant, times * one.amplitude, self.rate * one.frequency, one.phase) for one in loads
         ]
 
-    def places(self, xi: Any) -> Any:
+    def places(self, xi: Reals) -> Reals:
         """x of these ξ in float64."""
         return np.asarray(xi, float) / float(self.chi)
 

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import EffortError, InputError, PrecisionError
+from mpsolve.numbers.arrays import Complexes, Reals
 from mpsolve.vibration.forcing import Tone, forced, transform
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.integral import CLEAR, extended, sampled_line
@@ -76,7 +77,7 @@ class Engine:
     held: tuple[Tone, ...]
     poles: Poles
 
-    def transformed(self, sigma: Any) -> Any:
+    def transformed(self, sigma: Any) -> Complexes:
         """û, (len(σ), channels)."""
         image = self.image
         return image.solve(sigma, transform(self.acting, sigma, image.size + image.contacts))
@@ -134,7 +135,7 @@ class Engine:
             except EffortError as error:
                 return replace(solution, reason=error.reason), verdict.excess, causal
 
-    def _first(self) -> Any:
+    def _first(self) -> Reals:
         """lim σ û for σ → ∞: 0 for all that falls as a power of σ."""
         values = np.full((2, self.image.channels), np.nan)
         for high in _HIGH:  # as far out as float64 follows

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import comb, pi
 from typing import Any
@@ -9,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.arrays import Complexes, Reals
 from mpsolve.numbers.model import rational, whole
 from mpsolve.problem.problem import Problem
 from mpsolve.vehicles.loads import Outer
@@ -26,7 +28,7 @@ class Tone:
     """Re(column · e^{iωt̂}) from t = 0 on; frequency ω ≥ 0, scaled; column (bodies + contacts,), complex."""
 
     frequency: float
-    column: Any
+    column: Complexes
 
 
 @dataclass(frozen=True)
@@ -42,7 +44,7 @@ class Irregularity:
     phase: float = 0.0
 
 
-def checked_irregularities(given: Any, contacts: int) -> tuple[Irregularity, ...]:
+def checked_irregularities(given: Sequence[Irregularity] | None, contacts: int) -> tuple[Irregularity, ...]:
     """One for each contact, or none at all; InputError otherwise."""
     if given is None:
         return ()
@@ -59,7 +61,7 @@ def tones(image: Image, outer: Outer, irregularities: tuple[Irregularity, ...]) 
     zero = np.zeros(image.contacts)
     columns: dict[float, Any] = {}
 
-    def add(frequency: float, column: Any) -> None:
+    def add(frequency: float, column: Complexes) -> None:
         if np.any(column):
             columns[frequency] = columns.get(frequency, 0) + column
 
@@ -75,7 +77,7 @@ def tones(image: Image, outer: Outer, irregularities: tuple[Irregularity, ...]) 
     return tuple(Tone(frequency, columns[frequency]) for frequency in sorted(columns))
 
 
-def _add_wave(add: Any, column: Any, frequency: float, phase: float) -> None:
+def _add_wave(add: Any, column: Reals, frequency: float, phase: float) -> None:
     """sin(ωt + φ) = Re(−i e^{iφ} e^{iωt}); ω < 0 by turning the sine."""
     if not frequency:
         add(0.0, np.sin(phase) * column + 0j)
@@ -85,7 +87,7 @@ def _add_wave(add: Any, column: Any, frequency: float, phase: float) -> None:
         add(-frequency, 1j * np.exp(-1j * phase) * column)
 
 
-def transform(acting: tuple[Tone, ...], sigma: Any, rows: int) -> Any:
+def transform(acting: tuple[Tone, ...], sigma: Any, rows: int) -> Complexes:
     """The sum of their Laplace transforms, (len(σ), rows), rows = bodies + contacts."""
     total = np.zeros((len(sigma), rows), complex)
     for tone in acting:
@@ -103,7 +105,7 @@ class Forced:
     """Re(amplitude e^{iωt}); amplitude (channels,)."""
 
     frequency: float
-    amplitude: Any
+    amplitude: Complexes
 
     def motion(self, times: Any) -> Any:
         """(channels, times)."""
@@ -132,7 +134,7 @@ def forced(image: Image, tone: Tone) -> Forced:
     return Forced(tone.frequency, amplitude if tone.frequency else amplitude.real + 0j)
 
 
-def _limit(image: Image, tone: Tone) -> tuple[Any, bool]:
+def _limit(image: Image, tone: Tone) -> tuple[Reals, bool]:
     """The amplitude as σ → 0 from the right, where p-roots meet common zeros of N and D; and whether there is one."""
     values = image.solve(_STEP * np.arange(1.0, 9.0), np.broadcast_to(tone.column, (8, len(tone.column)))).real
     best, fewer = (_extrapolated(values[:n]) for n in (8, 7))
@@ -146,7 +148,7 @@ def _extrapolated(values: Any) -> Any:
     return weights @ values
 
 
-def _even(A: Any) -> Any:
+def _even(A: Complexes) -> Any:
     """Rows and columns brought to the size 1."""
     A = A / np.maximum(np.abs(A).max(1, keepdims=True), 1e-300)
     return A / np.maximum(np.abs(A).max(0, keepdims=True), 1e-300)

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.floats import Receptance
+from mpsolve.numbers.arrays import Complexes, Integers, Reals
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Guide, track_guide
 from mpsolve.proof.effort import Effort
@@ -67,7 +68,7 @@ class Image:
         return self.pencil.contacts
 
     @cached_property
-    def _distances(self) -> tuple[list[Fraction], Any, Any]:
+    def _distances(self) -> tuple[list[Fraction], Integers, Integers]:
         """Different distances, scaled; the number of that between each two contacts, and from places to contacts."""
         unit = Fraction(2) ** self.guide.length
         at, seen = ([x / unit for x in places] for places in (self.pencil.places, self.places))
@@ -79,7 +80,7 @@ class Image:
         return distances, rows[0], rows[1]
 
     @cached_property
-    def _scaled(self) -> tuple[Any, Any, Any, Any, Any]:
+    def _scaled(self) -> tuple[list[Reals], Reals, Reals, Reals, float]:
         """S₀, S₁, S₂, B, h with the bodies in units d: y = g d ŷ."""
         pencil, g = self.pencil, float(self.guide.g)
         K, C, M = (np.array(rows, float) for rows in (pencil.K, pencil.C, pencil.M))
@@ -89,7 +90,7 @@ class Image:
         S = [d[:, None] * rows * d for rows in S]
         return S, d[:, None] * np.array(pencil.B, float), np.array(pencil.h, float) / g, d, g
 
-    def _green(self, sigma: Any) -> Any:
+    def _green(self, sigma: Any) -> Complexes:
         """Ĝ at all distances, shape (distances, len(σ))."""
         distances, up = self._distances[0], self.receptance.upper
         z, w = self.receptance.waves(sigma)
@@ -105,7 +106,7 @@ class Image:
             out[:, lost] = np.array(self.receptance.together(sigma[lost], z[lost], distances, False)[0])
         return out
 
-    def _lost(self, z: Any, w: Any) -> Any:
+    def _lost(self, z: Any, w: Complexes) -> Any:
         """Where residues of close roots of one side cancel too far: each loses its weight times (size/gap)²."""
         up, size = self.receptance.upper, np.abs(w)
         spread = np.zeros(z.shape)
@@ -118,7 +119,7 @@ class Image:
         loss = 2.0**-53 * (size * spread * spread).max(-1)
         return ~(loss < _LOST * np.abs(w[:, :up].sum(-1)))
 
-    def matrices(self, sigma: Any) -> tuple[Any, Any]:
+    def matrices(self, sigma: Any) -> tuple[Complexes, Complexes]:
         """A(σ̂) of scaled bodies and contact forces, and Ĝ from the places to the contacts."""
         if self.effort is not None:
             self.effort.spend(len(sigma))
@@ -133,12 +134,12 @@ class Image:
         A[:, n:, n:] = np.moveaxis(G[among], -1, 0) + np.diag(h)
         return A, np.moveaxis(G[seen], -1, 0)
 
-    def column(self, force: Any, irregularity: Any) -> Any:
+    def column(self, force: Reals, irregularity: Any) -> Reals:
         """What stands on the right of A for forces on the coordinates and irregularities under the contacts."""
         _, _, _, d, g = self._scaled
         return np.concatenate([d * force, -np.asarray(irregularity) / g])
 
-    def solve(self, sigma: Any, right: Any) -> Any:
+    def solve(self, sigma: Any, right: Any) -> Complexes:
         """The channels, shape (len(σ), channels), for `right` (len(σ), bodies + contacts)."""
         _, _, _, d, g = self._scaled
         A, seen = self.matrices(sigma)

@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.arrays import Complexes, Reals
 from mpsolve.vibration.path import Path
 
 ORDER = 16
@@ -46,7 +47,7 @@ class Panels:
     """Panels [middle − half, middle + half] of ω, and values at their nodes, (panels, ORDER, channels)."""
 
     middle: Any
-    half: Any
+    half: Reals
     values: Any
 
     @property
@@ -101,13 +102,13 @@ def joined(parts: list[Panels]) -> Panels:
     return Panels(*(np.concatenate([getattr(one, key) for one in parts]) for key in ("middle", "half", "values")))
 
 
-def _shorter(breaks: Any, widest: float) -> tuple[Any, Any]:
+def _shorter(breaks: Reals, widest: float) -> tuple[Reals, Reals]:
     counts = np.maximum(1, np.ceil(np.diff(breaks) / widest)).astype(int)
     cells = [np.linspace(a, b, 1 + n) for (a, b), n in zip(pairwise(breaks), counts, strict=True)]
     return np.concatenate([c[:-1] for c in cells]), np.concatenate([c[1:] for c in cells])
 
 
-def inverse(panels: Panels, weight: Any, alpha: float, times: Any) -> Any:
+def inverse(panels: Panels, weight: Any, alpha: float, times: Any) -> Reals:
     """(1/π) Re ∫ weight(ω) F(ω) e^{(α + iω)t} dω over the panels, (channels, times): both halves of a real motion."""
     values = panels.values * weight(panels.nodes)[..., None]
     used = np.abs(values).max((1, 2)) > 0
@@ -129,7 +130,7 @@ def inverse(panels: Panels, weight: Any, alpha: float, times: Any) -> Any:
     return out.T
 
 
-def spherical(z: Any) -> Any:
+def spherical(z: Any) -> Complexes:
     """∫_{−1}^{1} P_n(x) e^{izx} dx = 2 iⁿ j_n(z) for n < ORDER, (len(z), ORDER)."""
     out = np.empty((len(z), ORDER), complex)
     size, least = np.abs(z), -1.0
@@ -150,7 +151,7 @@ def spherical(z: Any) -> Any:
 
 
 @lru_cache(maxsize=4)
-def _rule(points: int) -> tuple[Any, Any]:
+def _rule(points: int) -> tuple[Reals, Reals]:
     nodes, weights = np.polynomial.legendre.leggauss(points)
     return nodes, np.polynomial.legendre.legvander(nodes, ORDER - 1) * weights[:, None]
 
@@ -165,20 +166,20 @@ class Line:
     path: Path
     omega: float
     panels: Panels
-    left_open: Any
+    left_open: Reals
     settled: bool
 
-    def motion(self, times: Any) -> Any:
+    def motion(self, times: Any) -> Reals:
         """(channels, times)."""
         return inverse(self.panels, lambda w: faded(w, self.omega), self.path.alpha, times)
 
-    def rate(self, times: Any) -> Any:
+    def rate(self, times: Any) -> Reals:
         """d/dt of the motion, (channels, times)."""
         sigma = self.path.line(self.panels.nodes)
         turned = Panels(self.panels.middle, self.panels.half, self.panels.values * sigma[..., None])
         return inverse(turned, lambda w: faded(w, self.omega), self.path.alpha, times)
 
-    def change(self, times: Any) -> Any:
+    def change(self, times: Any) -> Reals:
         """How much half of Ω would change it: more than its error where the image has decayed as powers do."""
         return inverse(self.panels, lambda w: faded(w, self.omega) - faded(w, self.omega / 2), self.path.alpha, times)
 
@@ -188,7 +189,7 @@ class Line:
         return Line(self.path, self.omega, panels, self.left_open[channels], self.settled)
 
 
-def faded(w: Any, omega: float) -> Any:
+def faded(w: Reals, omega: float) -> Any:
     """1 below Ω/4, 0 above 3Ω/4, to 1e-9."""
     return 0.5 * _erfc((w - omega / 2) / (_SHARPNESS * omega))
 
@@ -207,8 +208,8 @@ def extended(image: Callable[[Any], Any], line: Line) -> Line:
     return Line(line.path, high, panels, line.left_open + more[1], line.settled and more[2])
 
 
-def _sampled(image: Any, path: Path, breaks: Any, omega: float, size: Any) -> tuple[Panels, Any, bool]:
-    def tolerance(more: Any) -> Any:
+def _sampled(image: Any, path: Path, breaks: Reals, omega: float, size: Any) -> tuple[Panels, Reals, bool]:
+    def tolerance(more: Reals) -> Any:
         whole = size + more
         return _TOLERANCE * np.maximum(whole, 1e-6 * np.max(whole))
 

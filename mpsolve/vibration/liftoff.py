@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.vibration.integral import CLEAR
 from mpsolve.vibration.poles import natural
 from mpsolve.vibration.solution import Solution
@@ -73,7 +74,7 @@ def _row(some: Solution, j: int) -> Callable[[Any], Any]:
     return lambda times: some.moved(times)[j] + some.held[j]
 
 
-def early_times(solution: Solution, last: float) -> Any:
+def early_times(solution: Solution, last: float) -> Reals:
     """Times t̂ up to the last at which the motion must be known, and is not, for its first steps; none if it is."""
     step = _step(solution)
     if CLEAR / solution.line.omega <= step or last <= step:
@@ -109,7 +110,7 @@ class Fall:
     off: float
 
 
-def first_fall(f: Callable[[Any], Any], grid: Any, row: Any, noise: float, above: float | None) -> Fall | None:
+def first_fall(f: Callable[[Any], Any], grid: Reals, row: Any, noise: float, above: float | None) -> Fall | None:
     """The first one on this grid, of which `row` are the values of f; None where f stays above −noise.
 
     above: the last time before the grid at which f was above the noise, None where there is none: then f was 0 from
@@ -128,7 +129,7 @@ def first_fall(f: Callable[[Any], Any], grid: Any, row: Any, noise: float, above
     return _between(f, last_above(grid[:stop], row[:stop], noise, above), float(grid[stop]), noise)
 
 
-def last_above(grid: Any, row: Any, noise: float, before: float | None) -> float | None:
+def last_above(grid: Reals, row: Any, noise: float, before: float | None) -> float | None:
     """The last time of the grid at which the row is above the noise, else `before`."""
     pressed = np.flatnonzero(row > noise)
     return float(grid[pressed[-1]]) if len(pressed) else before

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import EffortError
+from mpsolve.numbers.arrays import Complexes, Reals, Truths
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 from mpsolve.vibration.image import Image
@@ -39,9 +40,9 @@ class InducedPart:
 
     q: complex
     multiplicity: int
-    rail: Any
+    rail: Complexes
     vehicle: dict[str, complex]
-    contact_force: Any
+    contact_force: Complexes
 
 
 @dataclass(frozen=True)
@@ -57,14 +58,14 @@ class Vibration(Rows):
 
     problem: Problem
     times: Any
-    places: Any
-    rail: Any
+    places: Reals
+    rail: Reals
     steady: Any
-    steady_harmonic: Any
-    harmonic: Any
-    transient: Any
-    vehicle: dict[str, Any]
-    contact_force: Any
+    steady_harmonic: Reals
+    harmonic: Reals
+    transient: Reals
+    vehicle: dict[str, Reals]
+    contact_force: Reals
     error: MotionError
     solution: Solution = field(repr=False)
     solve: Callable[[Any], Solution] = field(repr=False, compare=False)
@@ -93,7 +94,7 @@ class Vibration(Rows):
         return self.solution.reason
 
     @property
-    def within(self) -> Any:
+    def within(self) -> Truths:
         """Which times are within the model: before the first lift-off, (t,) of booleans."""
         event = self.lift_off
         return np.full(len(self.times), True) if event is None else self.times <= event.time
@@ -111,7 +112,7 @@ class Vibration(Rows):
         return tuple(out)
 
 
-def split(image: Any, rows: Any) -> tuple[Any, Any, Any]:
+def split(image: Image, rows: Any) -> tuple[Any, Any, Any]:
     """Rows of channels as bodies, contact forces and rail."""
     n, m = image.size, image.contacts
     return rows[:n], rows[n : n + m], rows[n + m :]

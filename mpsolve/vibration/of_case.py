@@ -9,6 +9,7 @@ import numpy as np
 
 from mpsolve.certificate.certify import certify
 from mpsolve.errors import EffortError, InputError, PrecisionError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.exact import Number
 from mpsolve.numbers.float_list import checked_places, checked_times
 from mpsolve.problem.case import Case
@@ -62,7 +63,9 @@ def motion_of_case(
     return _told(units, forces, motion, places, times)
 
 
-def vibration_of_case(units: CaseUnits, loads: Any, xi: Any, tau: Any, spectrum: Any) -> Vibration:
+def vibration_of_case(
+    units: CaseUnits, loads: Sequence[Load] | None, xi: Any, tau: Any, spectrum: Spectrum | None
+) -> Vibration:
     """The same as the general response has it, with loads such that deflections come in w_st; τ and ξ are given."""
     forces = units.loads(loads_of(units.given, loads), 1 / units.w_st)
     places = checked_places(xi, [float(x) for x in units.case.positions])
@@ -70,7 +73,9 @@ def vibration_of_case(units: CaseUnits, loads: Any, xi: Any, tau: Any, spectrum:
     return _moved(units, forces, checked_times(tau), units.places(places), found)
 
 
-def _moved(units: CaseUnits, loads: Any, tau: Any, x: Any, spectrum: Spectrum | None, **work: Any) -> Vibration:
+def _moved(
+    units: CaseUnits, loads: Sequence[Load], tau: Reals, x: Any, spectrum: Spectrum | None, **work: Any
+) -> Vibration:
     """The general response; what is wrong with it is said of τ and ξ."""
     try:
         return vibrate(units.problem, loads, times=units.times(tau), places=x, spectrum=spectrum, **work)
@@ -78,7 +83,7 @@ def _moved(units: CaseUnits, loads: Any, tau: Any, x: Any, spectrum: Spectrum | 
         raise error.under({"times": "tau", "places": "xi"}.get(error.key, error.key)) from None
 
 
-def certified_of(units: CaseUnits, spectrum: Any, digits: int = 30, **work: Any) -> Spectrum:
+def certified_of(units: CaseUnits, spectrum: Spectrum | None, digits: int = 30, **work: Any) -> Spectrum:
     """All induced frequencies of the sheet, or, where the cuts are no line, of what `certify` answers."""
     problem = units.problem
     if spectrum is None:
@@ -143,7 +148,7 @@ def _told(units: CaseUnits, loads: tuple[Load, ...], motion: Vibration, xi: Any,
     )
 
 
-def _forces(case: Case, loads: tuple[Load, ...], force: Any, tau: Any) -> tuple[Any, Any]:
+def _forces(case: Case, loads: tuple[Load, ...], force: Reals, tau: Reals) -> tuple[Reals, Reals]:
     """Contact forces and accelerations of the single masses; at τ = 0 the beam gives way, and there is no force yet.
 
     Masses at one position move as one: by (2), in w_st, ΣP − Σf = (Ση_M/2) w_ττ.
@@ -164,7 +169,7 @@ def applied(load: Load, tau: Any) -> Any:
     return constant + amplitude * np.sin(omega * tau + phase)
 
 
-def contact_loss(loads: Sequence[Load], force: Any, tau: Any) -> tuple[tuple[float | None, str], ...]:
+def contact_loss(loads: Sequence[Load], force: Reals, tau: Reals) -> tuple[tuple[float | None, str], ...]:
     """For each mass the first time at which its contact force falls below zero, and what is to be said of it.
 
     The time is linear between the given ones; None where the force never falls, or cannot be judged.
@@ -176,7 +181,7 @@ def contact_loss(loads: Sequence[Load], force: Any, tau: Any) -> tuple[tuple[flo
     )
 
 
-def _first_loss(load: Load, force: Any, tau: Any, noise: float) -> tuple[float | None, str]:
+def _first_loss(load: Load, force: Reals, tau: Reals, noise: float) -> tuple[float | None, str]:
     pressing = float(load.constant) if load.frequency else float(applied(load, 0.0))
     if pressing <= 0:
         return None, "no constant force presses this mass on the beam, so its contact cannot be judged"

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.float64 import companions
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
@@ -155,12 +156,12 @@ def room(image: Image, sigma: complex) -> float:
     return best
 
 
-def _grid(low: float, high: float) -> Any:
+def _grid(low: float, high: float) -> Reals:
     positive = np.linspace(low, high, _POINTS)
     return np.concatenate([-positive[::-1], positive])
 
 
-def _distances(rows: Any, p: Any, sigma: complex) -> Any:
+def _distances(rows: Reals, p: Reals, sigma: complex) -> Any:
     """From σ to the nearest root of D(ip, ·) at each p."""
     powers = (1j * p[:, None]) ** np.arange(len(rows))
     D = powers @ rows

@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Complexes
+
 _POINTS = 32
 _SHARE = 0.3
 _WIDE = 10.0
@@ -27,7 +29,7 @@ class Mode:
 
     sigma: complex
     multiplicity: int
-    moments: Any
+    moments: Complexes
 
     def motion(self, times: Any) -> Any:
         """(channels, times), real."""

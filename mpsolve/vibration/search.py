@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import PrecisionError
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.residues import Pole
 
@@ -25,7 +26,7 @@ _SLOPE = 1e-6
 _ROWS = (0.5, 0.15, 0.02, -0.02, -0.3)
 
 
-def count_zeros(image: Image, floor: float, reach: float) -> tuple[int, Any]:
+def count_zeros(image: Image, floor: float, reach: float) -> tuple[int, Complexes]:
     """How many zeros have Re σ > floor, |σ| below the reach, by the turn of the argument; and the path walked.
 
     PrecisionError where floats lose det A on the path, as for very short waves far out.
@@ -42,7 +43,7 @@ def count_zeros(image: Image, floor: float, reach: float) -> tuple[int, Any]:
     return max(0, int(np.rint(-turn / np.pi))), path
 
 
-def find_zeros(image: Image, floor: float, count: int, path: Any, known: tuple[complex, ...]) -> list[Pole]:
+def find_zeros(image: Image, floor: float, count: int, path: Complexes, known: tuple[complex, ...]) -> list[Pole]:
     """The zeros with Re σ > floor and Im σ ≥ 0, up to `count` with their mirror images; `known` ones are left out."""
     found: list[Pole] = []
     away = np.array(known, complex)
@@ -61,7 +62,7 @@ def _number(poles: list[Pole]) -> int:
     return sum(pole.multiplicity * (1 if pole.sigma.imag == 0 else 2) for pole in poles)
 
 
-def _newton(image: Image, starts: Any, floor: float, known: Any) -> list[complex]:
+def _newton(image: Image, starts: Complexes, floor: float, known: Any) -> list[complex]:
     """New zeros, each once."""
     sigma = starts
     out: list[complex] = []
@@ -100,7 +101,7 @@ def _newton_step(image: Image, sigma: Any, known: Any) -> Any:
     return np.where(fine, -1 / slope, np.nan)
 
 
-def _traces(A: Any, A_slope: Any) -> Any:
+def _traces(A: Complexes, A_slope: Complexes) -> Any:
     """tr(A⁻¹A′); infinite where A is singular, at a zero itself."""
     try:
         return np.linalg.solve(A, A_slope).trace(axis1=1, axis2=2)
@@ -119,7 +120,7 @@ def _counted(image: Image, sigma: complex) -> Pole:
     return Pole(sigma, max(1, int(np.rint(turn / (2 * np.pi)))), radius)
 
 
-def _turned(image: Image, path: Any) -> tuple[Any, float]:
+def _turned(image: Image, path: Any) -> tuple[Complexes, float]:
     """The path with points put in where the argument turns fast, and the turn along it; twice as many confirm it."""
     phase, turn = image.phase(path), np.inf
     for _ in range(_HALVINGS):

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Integers, Reals
 from mpsolve.outcome import Reason
 from mpsolve.vibration.forcing import Forced
 from mpsolve.vibration.image import Image
@@ -19,10 +20,10 @@ from mpsolve.vibration.residues import Mode
 class Parts:
     """(channels, times) each: what constant loads keep up, what harmonic ones do, the modes, and the rest."""
 
-    static: Any
-    forced: Any
+    static: Reals
+    forced: Reals
     free: Any
-    transient: Any
+    transient: Reals
 
     @property
     def total(self) -> Any:
@@ -38,12 +39,12 @@ class Solution:
     """
 
     image: Image
-    held: Any
+    held: Reals
     steady: tuple[Forced, ...]
     modes: tuple[Mode, ...]
     line: Line
-    first: Any
-    error: Any
+    first: Reals
+    error: Reals
     reason: Reason | None = None
 
     def parts(self, times: Any) -> Parts:
@@ -59,15 +60,15 @@ class Solution:
         rest = rest - sum((mode.motion(times) for mode in left), zero)
         return Parts(static + self.held[:, None], waves, free, rest)
 
-    def rates(self, times: Any) -> Any:
+    def rates(self, times: Any) -> Reals:
         """The rate of the sum at times t̂ ≥ 0, per unit of t̂, (channels, times); 0 at 0, where all is at rest."""
         return np.where(times == 0, 0.0, sum((one.rate(times) for one in self.right), self.line.rate(times)))
 
-    def moved(self, times: Any) -> Any:
+    def moved(self, times: Any) -> Reals:
         """The motion without what is held, (channels, times); at times < 0 it is 0 but for errors."""
         return sum((one.motion(times) for one in self.right), self.line.motion(times))
 
-    def swing(self, time: float) -> Any:
+    def swing(self, time: float) -> Reals:
         """By channels: the motion is no further from what constant loads keep up, at this time t̂ > 0 and ever after.
 
         Infinite where that is not seen from sizes alone.
@@ -79,7 +80,7 @@ class Solution:
         waves = sum((np.abs(one.amplitude) for one in self.steady if one.frequency), rest)
         return sum((mode.most(time) for mode in line.path.parted(self.modes)[0]), waves)
 
-    def only(self, channels: Any) -> Solution:
+    def only(self, channels: Integers) -> Solution:
         """Some of the channels, of which `moved` then tells."""
         return replace(
             self,

@@ -5,13 +5,14 @@ Each takes a Problem, or a Case or PhysicalCase of the paper, which keep their o
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from mpsolve.errors import InputError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.exact import Number
 from mpsolve.problem.case import Case
 from mpsolve.problem.load import loads_of
@@ -26,6 +27,9 @@ from mpsolve.vibration.case_units import units_of
 from mpsolve.vibration.motion import Vibration
 from mpsolve.vibration.of_case import motion_of_case, vibration_of_case
 from mpsolve.vibration.vibrate import vibrate
+
+if TYPE_CHECKING:
+    from mpsolve.vibration.residues import Mode
 
 _REAL = 1e-12
 """Im q below this part of |q| is a rounded 0."""
@@ -47,7 +51,9 @@ def superposition(problem: Any, loads: Any = None, *arguments: Any, **options: A
     )
 
 
-def _each_place(case: Case | PhysicalCase, loads: Any, xi: Any = None, tau: Any = (0,)) -> tuple[Response, ...]:
+def _each_place(
+    case: Case | PhysicalCase, loads: Sequence[Load] | None, xi: Any = None, tau: Any = (0,)
+) -> tuple[Response, ...]:
     forces, found = loads_of(case, loads), []
     whole, places = _placed(case, xi)
     for place in dict.fromkeys(whole.positions):
@@ -57,7 +63,7 @@ def _each_place(case: Case | PhysicalCase, loads: Any, xi: Any = None, tau: Any 
     return tuple(found)
 
 
-def merged(problem: Any, loads: Any = None, *arguments: Any, **options: Any) -> Any:
+def merged(problem: Any, loads: Sequence[Load] | None = None, *arguments: Any, **options: Any) -> Any:
     """The motion of one mass with the sum of all masses and loads at the rear one: the paper's "doubled mass".
 
     Without `places` the rail is watched under all contacts. InputError for vehicles that are no masses.
@@ -75,7 +81,7 @@ def merged(problem: Any, loads: Any = None, *arguments: Any, **options: Any) -> 
     return vibrate(together, loads, **options)
 
 
-def _at_rear(case: Case | PhysicalCase, loads: Any, xi: Any = None, tau: Any = (0,)) -> Response:
+def _at_rear(case: Case | PhysicalCase, loads: Sequence[Load] | None, xi: Any = None, tau: Any = (0,)) -> Response:
     whole, places = _placed(case, xi)
     return motion_of_case(
         replace(whole, positions=(whole.positions[0],) * whole.count), loads_of(case, loads), places, tau
@@ -90,7 +96,7 @@ class Envelope:
     all times, or None where there is none in closed form; `note` says why.
     """
 
-    modulus: Any
+    modulus: Reals
     amplitudes: tuple[float, ...]
     greatest: float | None
     least: float | None
@@ -132,8 +138,8 @@ class Importance:
     displacement, velocity (contacts,): at t = 0, without the transient part.
     """
 
-    displacement: Any
-    velocity: Any
+    displacement: Reals
+    velocity: Reals
 
 
 def transient_importance(problem: Any, loads: Any = None, spectrum: Spectrum | None = None) -> Importance:
@@ -152,7 +158,7 @@ def transient_importance(problem: Any, loads: Any = None, spectrum: Spectrum | N
     return Importance(displacement, velocity)
 
 
-def _motion(problem: Any, loads: Any, xi: Any, tau: Any, spectrum: Spectrum | None) -> Vibration:
+def _motion(problem: Any, loads: Sequence[Load] | None, xi: Any, tau: Any, spectrum: Spectrum | None) -> Vibration:
     """What is asked about, computed unless it is there."""
     if isinstance(problem, (Case, PhysicalCase)):
         return vibration_of_case(units_of(problem), loads, xi, tau, spectrum)
@@ -164,7 +170,7 @@ def _motion(problem: Any, loads: Any, xi: Any, tau: Any, spectrum: Spectrum | No
     return problem
 
 
-def _rate(mode: Any) -> Any:
+def _rate(mode: Mode) -> Any:
     """The slope of a mode at t = 0, scaled."""
     slope = mode.sigma * mode.moments[0] + (mode.moments[1] if len(mode.moments) > 1 else 0)
     return (2.0 if mode.sigma.imag > 0 else 1.0) * slope.real
@@ -186,7 +192,7 @@ def _own_loads(problem: Problem, loads: Any) -> list[Any]:
     return [[load for load, (_, k, _) in zip(given, order, strict=True) if k == own] for own in range(len(placed))]
 
 
-def _named(loads: Mapping[str, Any], k: int, placed: Placed, count: int) -> dict[str, Any]:
+def _named(loads: Mapping[str, Load], k: int, placed: Placed, count: int) -> dict[str, Load]:
     ending = "" if count == 1 else f" of vehicle {k}"
     names = placed.vehicle.pencil.names
     return {name: loads[name + ending] for name in names if name + ending in loads}

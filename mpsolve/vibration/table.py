@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.numbers.arrays import Reals
 from mpsolve.vibration.case_motion import Response
 from mpsolve.vibration.case_units import Scale
 from mpsolve.vibration.motion import Vibration
@@ -22,7 +23,7 @@ def unit_of(name: str) -> str:
     return "rad" if "pitch" in name else "m"
 
 
-def columns(found: Vibration) -> dict[str, Any]:
+def columns(found: Vibration) -> dict[str, Reals]:
     """Name and values of each column by time, in SI: rail and its parts, coordinates, contact forces.
 
     The last one is 1 up to the first lift-off and 0 beyond it, where the model does not hold.
@@ -40,7 +41,7 @@ def columns(found: Vibration) -> dict[str, Any]:
     return table
 
 
-def arrays(found: Vibration) -> dict[str, Any]:
+def arrays(found: Vibration) -> dict[str, Reals]:
     """The arrays of the motion under their names, in SI; vehicle (coordinates, times), `names` of these."""
     out: dict[str, Any] = {name: getattr(found, name) for name in _ARRAYS.split()}
     out["vehicle"] = np.array(list(found.vehicle.values()))
@@ -65,7 +66,7 @@ def comparison(whole: Vibration | Response, curves: Mapping[str, Any], scale: Sc
     return time_columns(whole.tau, scale) | shown | within
 
 
-def case_columns(found: Response, scale: Scale) -> dict[str, Any]:
+def case_columns(found: Response, scale: Scale) -> dict[str, Reals]:
     """Name and values of each column, by time: the four displacements at each ξ, the contact force of each mass.
 
     The last one is 1 up to the first lift-off and 0 beyond it. In the units of `scale`, which the names tell where
@@ -82,7 +83,7 @@ def case_columns(found: Response, scale: Scale) -> dict[str, Any]:
     return table
 
 
-def time_columns(tau: Any, scale: Scale) -> dict[str, Any]:
+def time_columns(tau: Reals, scale: Scale) -> dict[str, Reals]:
     """τ, and t where there is a unit of time."""
     return {"tau": tau} | ({"t [s]": tau * scale.time} if scale.physical else {})
 

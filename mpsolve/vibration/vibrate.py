@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import EffortError, InputError, PrecisionError
+from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.float_list import float_list
 from mpsolve.numbers.model import rational
 from mpsolve.parallel.threads import one_thread
@@ -89,7 +90,7 @@ def _again(image: Image, acting: Any, held: Any, poles: Any, times: Any) -> Solu
 
 def _checked(
     problem: Problem, loads: Any, times: Any, places: Any, irregularities: Any, initial: str
-) -> tuple[Image, tuple[Tone, ...], tuple[Tone, ...], Any]:
+) -> tuple[Image, tuple[Tone, ...], tuple[Tone, ...], Reals]:
     """What is watched, what acts from t = 0 on, what has acted for ever, and the times."""
     if not isinstance(problem, Problem):
         raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem")
@@ -146,7 +147,7 @@ def _from_start(solution: Solution, times: Any) -> Parts:
     return parts
 
 
-def _times(times: Any) -> Any:
+def _times(times: Any) -> Reals:
     at = float_list(times, "times")
     if not at.size or np.any(at < 0):
         raise InputError("times", "hold none, or one below 0, where nothing acts yet: give times from 0 on")

@@ -41,7 +41,7 @@ class CriticalVelocity(Portable):
     exact: the velocity as an `Exact`, where its square or its fourth power is rational.
     """
 
-    value: Any
+    value: arb
     wavenumber: arb | None
     frequency: arb | None
     kind: Kind

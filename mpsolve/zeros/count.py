@@ -134,7 +134,7 @@ class Walk:
             raise ZeroOnPathError(complex(self.at(error.place.real).mid())) from None
         return [float(t) for t in ts.real]
 
-    def _pass(self, starts: Complexes, ends: Any) -> list[bool]:
+    def _pass(self, starts: Complexes, ends: Complexes) -> list[bool]:
         return [self._one(float(s.real), float(t.real)) for s, t in zip(starts, ends, strict=True)]
 
     def _one(self, s: float, t: float) -> bool:

@@ -137,7 +137,7 @@ class ExpressionFunction(_Slopes):
         else:
             self._guarded.sided(z, 2, *side, beyond)
 
-    def value(self, z: Any) -> Any:
+    def value(self, z: Any) -> acb:
         return self.series(acb(z), 1)[0]
 
     def taylor(self, centre: acb, outer: arb, bits: int) -> Taylor:  # noqa: ARG002 — exact at any precision

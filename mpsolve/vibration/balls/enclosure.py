@@ -186,7 +186,7 @@ def _reason(error: Exception) -> Reason:
     return Reason("motion-path", message, {}, remedy)
 
 
-def _poles(image: Image, spectrum: Spectrum) -> tuple[list[Any], float]:
+def _poles(image: Image, spectrum: Spectrum) -> tuple[list[acb], float]:
     """σ̂ of all proved roots with Re q ≥ 0 or open, and the scaled Re σ̂ above which there is no other."""
     region = spectrum.region
     whole = isinstance(region, Sheet) or (isinstance(region, (HalfPlane, Below)) and region.radius is None)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_mat, arb, precision, rational_ball, square
@@ -13,6 +13,9 @@ from mpsolve.vehicles.bounce import rigid_bounce
 from mpsolve.vehicles.load import GRAVITY, Load
 from mpsolve.vehicles.vehicle import Pencil
 from mpsolve.vibration.image import Image
+
+if TYPE_CHECKING:
+    from mpsolve.characteristic.symbol import Symbols
 
 Term = tuple[tuple[Fraction, ...], Load]
 """A load and the direction in which it acts on the coordinates."""
@@ -66,16 +69,16 @@ class Equations:
             self.away[key] = ball.union(self.away[key])
 
     @property
-    def symbols(self) -> Any:
+    def symbols(self) -> Symbols:
         """D and N."""
         return self.image.receptance.symbols
 
-    def _waves(self, one: Load) -> tuple[Any, Any, Any, Any]:
+    def _waves(self, one: Load) -> tuple[arb, arb, arb, arb]:
         given = (one.constant, one.amplitude, one.frequency, one.phase)
         c, a, omega, phase = (x.ball() for x in given)
         return c, a, omega / self.rate_ball, phase
 
-    def _solved(self, sigma: Any, G: dict[Fraction, Any], force: list[Any]) -> list[Any]:
+    def _solved(self, sigma: Any, G: dict[Fraction, acb], force: list[acb]) -> list[acb]:
         """Coordinates, contact forces, rail, under forces on the coordinates."""
         n = self.image.size
         right = [[x] for x in [*force, *[acb(0)] * self.image.contacts]]
@@ -83,7 +86,7 @@ class Equations:
         rail = [sum((G[at - y] * x[n + j] for j, y in enumerate(self.at)), acb(0)) for at in self.seen]
         return [*x, *rail]
 
-    def _rows(self, sigma: Any, G: dict[Fraction, Any]) -> list[list[Any]]:
+    def _rows(self, sigma: Any, G: dict[Fraction, acb]) -> list[list[Any]]:
         """The equations."""
         n, m = self.image.size, self.image.contacts
         s = sigma * self.rate_ball
@@ -96,7 +99,7 @@ class Equations:
             rows.append([*(self.B[j][i] for j in range(n)), *own])
         return rows
 
-    def _forces(self, sigma: Any) -> list[Any]:
+    def _forces(self, sigma: Any) -> list[acb]:
         total = [acb(0)] * self.image.size
         for direction, (c, a, omega, phase) in self._terms:
             wave = c / sigma
@@ -105,7 +108,7 @@ class Equations:
             total = [x + d * wave for x, d in zip(total, direction, strict=True)]
         return total
 
-    def far_forces(self, radius: Any) -> list[Any]:
+    def far_forces(self, radius: arb) -> list[acb]:
         """σ̂ times the forces on the coordinates, for all |σ̂| ≥ radius."""
         total = [acb(0)] * self.image.size
         for direction, (c, a, omega, phase) in self._terms:
@@ -119,12 +122,12 @@ class Equations:
             total = [x + d * wave for x, d in zip(total, direction, strict=True)]
         return total
 
-    def tones(self) -> list[tuple[Any, list[Any]]]:
+    def tones(self) -> list[tuple[acb, list[acb]]]:
         """(ω̂, forces on the coordinates) of constant and harmonic loads: Re(force e^{iω̂t̂}); ω̂ ≥ 0 in balls."""
         out: dict[Any, list[Any]] = {}
         rates: dict[Any, Any] = {}
 
-        def add(key: Any, rate: Any, factor: Any, direction: list[Any]) -> None:
+        def add(key: Any, rate: acb, factor: Any, direction: list[arb]) -> None:
             rates[key] = rate
             zero = out.get(key, [acb(0)] * len(direction))
             out[key] = [x + d * factor for x, d in zip(zero, direction, strict=True)]

@@ -78,7 +78,7 @@ class _Far:
             out.append(Fraction(1) if pencil.M[k][k] else Fraction(1, 2) if pencil.C[k][k] else Fraction(0))
         return out + [Fraction(0) if h else -self.gamma / 2 for h in pencil.h]
 
-    def disc(self, value: Any, power: Fraction) -> Disc:
+    def disc(self, value: acb, power: Fraction) -> Disc:
         """value σ^power for all |σ| ≥ R, power ≤ 0."""
         if power > 0:
             raise PrecisionError(
@@ -95,7 +95,7 @@ class _Far:
             raise PrecisionError(_ECHOES)
         return disc
 
-    def late(self, xi: Fraction, power: Fraction = Fraction(0), without: Sequence[FarRoot] = ()) -> tuple[Disc, Any]:
+    def late(self, xi: Fraction, power: Fraction = Fraction(0), without: Sequence[FarRoot] = ()) -> tuple[Disc, arb]:
         """The same at any place, and the delay of its waves: up to e^{delay δ(r − r₀)}."""
         late = arb(0)
         roots, sign = (self.upper, 1) if xi >= 0 else (self.lower, -1)
@@ -112,7 +112,7 @@ class _Far:
             middle, radius = middle + m, radius + r
         return (middle, radius), late
 
-    def _alike(self, power: Fraction) -> tuple[list[FarRoot], Any, Any]:
+    def _alike(self, power: Fraction) -> tuple[list[FarRoot], acb, arb]:
         """The upper waves without those that have the lowest γ and one ζ, and these at the contact: w₁ may cancel."""
         some = [z for z in self.upper if z.gamma == self.gamma and z.parts is not None]
         some = [z for z in some if z.power.denominator == some[0].power.denominator and not power]

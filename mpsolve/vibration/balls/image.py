@@ -33,7 +33,7 @@ class Cell:
     upper: tuple[Moving, ...]
     lower: tuple[Moving, ...]
 
-    def roots(self, sigma: Any) -> list[Any]:
+    def roots(self, sigma: Any) -> list[acb]:
         """The upper p-roots at a σ̂ of the ball."""
         return [one.at(sigma) for one in self.upper]
 
@@ -41,7 +41,7 @@ class Cell:
 class BallImage(Equations):
     """û and its cells, at the precision of the image."""
 
-    def physical(self, sigma: Any) -> tuple[list[Any], list[Any]]:
+    def physical(self, sigma: Any) -> tuple[list[acb], list[acb]]:
         """Upper and lower p-roots at a thin σ̂ to the right of the cuts."""
         cell = self.start(sigma)
         return cell.roots(sigma), [one.at(sigma) for one in cell.lower]
@@ -83,7 +83,7 @@ class BallImage(Equations):
         """The cell of a ball that shares the thin σ̂ with another cell."""
         return self.named(ball, sigma, self.within(cell, sigma).roots(sigma))
 
-    def named(self, ball: Any, sigma: Any, upper: Sequence[Any]) -> Cell:
+    def named(self, ball: Any, sigma: Any, upper: Sequence[acb]) -> Cell:
         """The cell of a ball where the upper p-roots at its thin σ̂ are known: each disc there holds one root."""
         found = moving_roots(self.symbols, ball)
         there = [one.at(sigma) for one in found]
@@ -109,7 +109,7 @@ class BallImage(Equations):
                 raise PrecisionError("the equations may be singular over a cell: split it") from None
             return self._finite(found)
 
-    def sizes(self, cell: Cell) -> list[Any]:
+    def sizes(self, cell: Cell) -> list[arb]:
         """Bounds of |û| over the cell, analytic there; PrecisionError where the equations may be singular."""
         with precision(self.bits):
             G, force = self._received(cell), self._forces(cell.ball)
@@ -127,7 +127,7 @@ class BallImage(Equations):
             ]
             return [arb(size.upper()) for size in self._finite([*x, *rail])]
 
-    def touching(self, at: Fraction, x: list[Any], rail: Any) -> Any:
+    def touching(self, at: Fraction, x: list[Any], rail: arb) -> arb:
         """A bound of the rail, or under a contact of what the vehicle has there, w = Bᵀy − hf, where that is less."""
         n = self.image.size
         for j, y in enumerate(self.at):
@@ -136,10 +136,10 @@ class BallImage(Equations):
                 rail = rail.min(own)
         return rail
 
-    def _discs(self, cell: Cell, G: dict[Fraction, Any]) -> list[list[Disc]]:
+    def _discs(self, cell: Cell, G: dict[Fraction, acb]) -> list[list[Disc]]:
         return [[_disc(x) for x in row] for row in self._rows(cell.ball, G)]
 
-    def _without_phases(self, cell: Cell, right: list[Any], G: dict[Fraction, Any]) -> tuple[Any, Any, Waves]:
+    def _without_phases(self, cell: Cell, right: list[Any], G: dict[Fraction, acb]) -> tuple[Any, list[arb], Waves]:
         """The equations where of the waves between contacts the slowest to decay has any phase, and these waves."""
         n, m, at = self.image.size, self.image.contacts, self.at
         ahead = max(cell.upper, key=lambda one: float(one.z.real))
@@ -163,7 +163,7 @@ class BallImage(Equations):
         """|e^{Pξ}| over the cell, at most."""
         return (wave.at(cell.ball) * self.away[xi]).real.exp()
 
-    def response(self, cell: Cell, force: list[Any]) -> list[Any]:
+    def response(self, cell: Cell, force: list[acb]) -> list[acb]:
         """The channels for forces on the coordinates instead of û's own."""
         with precision(self.bits):
             try:
@@ -176,7 +176,7 @@ class BallImage(Equations):
             raise PrecisionError("the motion may be infinite over a cell: split it")
         return values
 
-    def _received(self, cell: Cell) -> dict[Fraction, Any]:
+    def _received(self, cell: Cell) -> dict[Fraction, acb]:
         """G at all distances, by residues."""
         out = {}
         for xi in self.distances:
@@ -191,7 +191,7 @@ def _disc(x: Any) -> Disc:
     return middle, abs(x - middle)
 
 
-def _holder(balls: Sequence[Any], z: Any) -> int:
+def _holder(balls: Sequence[acb], z: Any) -> int:
     """The number of the one ball that z can lie in: as each holds one root, that root is z."""
     near = [k for k, ball in enumerate(balls) if ball.overlaps(z)]
     if len(near) != 1:
@@ -231,7 +231,7 @@ class PreciseImage(BallImage):
             ball = acb(*(self._ball(part) for part in (sigma.real, sigma.imag)))
             return [number(self.mp, x) for x in self.values(self.start(ball))]
 
-    def _ball(self, x: Any) -> Any:
+    def _ball(self, x: Any) -> arb:
         sign, mantissa, exponent, _ = x._mpf_
         return arb((-int(mantissa) if sign else int(mantissa), int(exponent)))
 

@@ -33,7 +33,7 @@ _GROWS, _FULL, _LEAST = 1.6, 44, 2.0**-40
 class Panel:
     """Where û was computed: σ and û dσ at each node, and by channels and times a bound of what the nodes miss."""
 
-    nodes: tuple[tuple[Any, tuple[Any, ...]], ...]
+    nodes: tuple[tuple[acb, tuple[acb, ...]], ...]
     missed: tuple[tuple[Any, ...], ...]
 
 
@@ -72,7 +72,7 @@ def _panel(
     leg: Leg,
     ends: tuple[float, float],
     begin: Cell | None,
-    asked: tuple[list[Any], list[Any]],
+    asked: tuple[list[arb], list[arb]],
     effort: Effort,
 ) -> tuple[Cell, Panel]:
     a, b = (arb(x) for x in ends)
@@ -104,7 +104,7 @@ def _panel(
     return cell, Panel(tuple(nodes), missed)
 
 
-def _number(largest: list[Any], growth: list[tuple[Any, Any]], half: Any, goals: list[Any]) -> int:
+def _number(largest: list[arb], growth: list[tuple[arb, arb]], half: arb, goals: list[arb]) -> int:
     """How many nodes miss no more than the goals; 0 where the panel itself is below them at all times."""
     felt = max(_log(M / goal) for M, goal in zip(largest, goals, strict=True))
     over = [_log(grown) for grown, plain in growth if felt + _log(plain) > 0]
@@ -123,6 +123,6 @@ def _log(x: Any) -> float:
 
 
 @lru_cache(maxsize=64)
-def rule(n: int, bits: int) -> tuple[tuple[Any, Any], ...]:  # noqa: ARG001 — part of the key
+def rule(n: int, bits: int) -> tuple[tuple[arb, arb], ...]:  # noqa: ARG001 — part of the key
     """Nodes and weights on [−1, 1] in balls, at the precision that is set."""
     return tuple(arb.legendre_p_root(n, k, weight=True) for k in range(n))

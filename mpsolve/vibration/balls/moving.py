@@ -40,9 +40,9 @@ def moving_roots(symbols: Symbols, ball: Any) -> list[Moving]:
     tau = ball - middle
     about = acb_poly([middle, 1])
     D, N = ([row(about) for row in symbol.balls()] for symbol in (symbols.D, symbols.N))
-    z = float_roots([row[0] for row in D], symbols.degree)
-    slopes = [exact_ball(c) for c in _slopes(D, z)]
-    z = _refined(acb_poly([row[0] for row in D]), [exact_ball(complex(x)) for x in z], is_thin(ball))
+    first = float_roots([row[0] for row in D], symbols.degree)
+    slopes = [exact_ball(c) for c in _slopes(D, first)]
+    z = _refined(acb_poly([row[0] for row in D]), [exact_ball(complex(x)) for x in first], is_thin(ball))
     gaps = [[x - y + (c - d) * tau for y, d in zip(z, slopes, strict=True)] for x, c in zip(z, slopes, strict=True)]
     lead = D[-1](tau)
     n, spreads, radii = len(z), [], []

@@ -13,6 +13,7 @@ from itertools import combinations, pairwise
 from typing import Any
 
 import flint
+from flint import fmpq, fmpq_poly
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_poly, arb, rational_ball, square
@@ -32,15 +33,15 @@ class FarRoot:
     """
 
     power: Fraction
-    z0: Any
-    z1: Any
+    z0: acb
+    z1: acb
     left: Any
     z: Any
     gamma: Fraction
-    weight: Any
+    weight: acb
     neutral: bool
     still: Any = None
-    parts: tuple[Any, Any, Any] | None = None
+    parts: tuple[acb, acb, arb] | None = None
 
     def at(self, sigma: Any) -> Any:
         """The ball of P at one σ."""
@@ -49,7 +50,7 @@ class FarRoot:
         return (sigma.log() * rational_ball(self.power)).exp() * self.z
 
 
-def far_roots(D: Polynomial, N: Polynomial, v: Fraction, radius: Any) -> list[FarRoot]:
+def far_roots(D: Polynomial, N: Polynomial, v: Fraction, radius: arb) -> list[FarRoot]:
     """All p-roots of D(P, σ) for |σ| ≥ radius, apart from each other; PrecisionError where that is not proved."""
     out: list[FarRoot] = []
     for power in _powers(D):
@@ -76,17 +77,17 @@ def far_roots(D: Polynomial, N: Polynomial, v: Fraction, radius: Any) -> list[Fa
     return out
 
 
-def power_of(radius: Any, power: Fraction) -> Any:
+def power_of(radius: arb, power: Fraction) -> Any:
     """radius^power."""
     return (radius.log() * rational_ball(power)).exp()
 
 
-def turn(power: Fraction) -> Any:
+def turn(power: Fraction) -> acb:
     """i^power."""
     return acb(0, rational_ball(power / 2) * arb.pi()).exp()
 
 
-def _still(D: Polynomial, N: Polynomial, v: Fraction, radius: Any) -> list[FarRoot]:
+def _still(D: Polynomial, N: Polynomial, v: Fraction, radius: arb) -> list[FarRoot]:
     """The p-roots with P = (σ − s)/v, s = σ^w (…), w < 1."""
     moved, over = ({key: c for key, c in in_s(one, v).items() if c} for one in (D, N))
     found = [root for power in _powers(moved) if power < 1 for root in _along(moved, over, power, radius, None)]
@@ -119,7 +120,7 @@ def _powers(D: Polynomial) -> list[Fraction]:
     return [Fraction(a[1] - b[1], b[0] - a[0]) for a, b in pairwise(hull)]
 
 
-def _edge(D: Polynomial, power: Fraction) -> Any:
+def _edge(D: Polynomial, power: Fraction) -> fmpq_poly:
     """The polynomial of z₀ in exact numbers, without roots 0."""
     _, terms = _scaled(D, power)
     row = {i: c for (i, k), c in terms.items() if not k}
@@ -127,11 +128,11 @@ def _edge(D: Polynomial, power: Fraction) -> Any:
     return flint.fmpq_poly([_exact(row.get(i, Fraction(0))) for i in range(low, high + 1)])
 
 
-def _exact(x: Fraction) -> Any:
+def _exact(x: Fraction) -> fmpq:
     return flint.fmpq(x.numerator, x.denominator)
 
 
-def _multiplicity(polynomial: Any, z: Fraction) -> int:
+def _multiplicity(polynomial: fmpq_poly, z: Fraction) -> int:
     count = 0
     while polynomial and polynomial(_exact(z)) == 0:
         polynomial, count = polynomial.derivative(), count + 1
@@ -145,7 +146,7 @@ def _scaled(polynomial: Polynomial, power: Fraction) -> tuple[int, dict[tuple[in
     return m, {(i, m - a * i - b * j): c for (i, j), c in polynomial.items()}
 
 
-def _along(D: Polynomial, N: Polynomial, power: Fraction, radius: Any, without: Fraction | None) -> list[FarRoot]:
+def _along(D: Polynomial, N: Polynomial, power: Fraction, radius: arb, without: Fraction | None) -> list[FarRoot]:
     """The roots of one edge, but for those at `without`."""
     b = power.denominator
     m, terms = _scaled(D, power)
@@ -167,7 +168,7 @@ def _along(D: Polynomial, N: Polynomial, power: Fraction, radius: Any, without: 
     return out
 
 
-def _split(a: Mapping[tuple[int, int], Any], z1: Any, Y: Any, zeta: Any) -> tuple[Any, Any, Any]:
+def _split(a: Mapping[tuple[int, int], Any], z1: acb, Y: arb, zeta: arb) -> tuple[acb, acb, arb]:
     """f₀, f₁ and off with Σ a_kj ζ^(k + j) (z₁ + y)^j = f₀ + f₁ζ to within off, |y| ≤ Y."""
     zero = acb(0)
     first = a.get((1, 0), zero) + a.get((0, 1), zero) * z1
@@ -176,7 +177,7 @@ def _split(a: Mapping[tuple[int, int], Any], z1: Any, Y: Any, zeta: Any) -> tupl
     return a.get((0, 0), zero), first, arb(off.upper())
 
 
-def _ratio(N: tuple[Any, Any, Any], D: tuple[Any, Any, Any], zeta: Any) -> tuple[Any, Any, Any]:
+def _ratio(N: tuple[acb, acb, arb], D: tuple[Any, Any, Any], zeta: arb) -> tuple[acb, acb, arb]:
     """The same of a quotient."""
     w0 = N[0] / D[0]
     w1 = (N[1] - w0 * D[1]) / D[0]
@@ -187,7 +188,7 @@ def _ratio(N: tuple[Any, Any, Any], D: tuple[Any, Any, Any], zeta: Any) -> tuple
     return w0, w1, arb(off.upper())
 
 
-def _starts(edge: Any, without: Fraction | None) -> list[Any]:
+def _starts(edge: Any, without: Fraction | None) -> list[acb]:
     """The roots z₀ of the edge, which must be simple."""
     while without is not None and edge(_exact(without)) == 0:
         edge = edge / flint.fmpq_poly([-_exact(without), 1])
@@ -197,7 +198,7 @@ def _starts(edge: Any, without: Fraction | None) -> list[Any]:
         raise PrecisionError("p-roots that meet far out are beyond what is proved of the motion in balls") from None
 
 
-def _neutral(z0: Any, power: Fraction, starts: list[Any]) -> bool:
+def _neutral(z0: acb, power: Fraction, starts: list[acb]) -> bool:
     """z₀ i^w is its own mirror image at the imaginary axis: that is a root too, and no other is near."""
     turned = [z * turn(power) for z in starts]
     own = z0 * turn(power)
@@ -210,7 +211,7 @@ def _apart(roots: list[FarRoot]) -> None:
         raise PrecisionError(_TOGETHER)
 
 
-def _about(terms: Mapping[tuple[int, int], Fraction], z0: Any) -> dict[tuple[int, int], Any]:
+def _about(terms: Mapping[tuple[int, int], Fraction], z0: acb) -> dict[tuple[int, int], acb]:
     """a_kj, the coefficients of ζ^k (z − z₀)^j."""
     a = {}
     for k in sorted({k for _, k in terms}):
@@ -220,7 +221,7 @@ def _about(terms: Mapping[tuple[int, int], Fraction], z0: Any) -> dict[tuple[int
     return a
 
 
-def _kept(a: Mapping[tuple[int, int], Any], zeta: Any) -> tuple[Any, Any]:
+def _kept(a: Mapping[tuple[int, int], Any], zeta: arb) -> tuple[acb, arb]:
     """z₁ and Y: for each |ζ| ≤ zeta one root z₀ + ζ(z₁ + y) has |y| ≤ Y, by Rouché's theorem.
 
     y solves a₀₁ y + Σ a_kj ζ^(k+j−1) (z₁ + y)^j = 0, k + j ≥ 2.

@@ -23,15 +23,15 @@ _SPARE = 12
 """Binary digits, so that one decimal more is right."""
 
 
-def radius_round(root: Any, others: Sequence[Any], room: float, last: float) -> float:
+def radius_round(root: acb, others: Sequence[acb], room: float, last: float) -> float:
     """Of a circle round a root away from other poles and from the cuts, in which e^{σt} does not grow too far."""
     gaps = [float(abs(acb(root.mid()) - acb(z.mid())).lower()) for z in others]
     return _SHARE * min([*gaps, room, *([_LONGEST / (last * _SHARE)] if last else [])])
 
 
 def residues(
-    image: BallImage, root: Any, others: Sequence[Any], radius: float, times: list[Any], bits: int, effort: Effort
-) -> list[list[Any]]:
+    image: BallImage, root: acb, others: Sequence[acb], radius: float, times: list[Any], bits: int, effort: Effort
+) -> list[list[acb]]:
     """The residue of û e^{σt} within the circle, by channels and times; `bits`: of it that are wanted.
 
     root: a ball that holds all poles within; others: balls of all other poles. PrecisionError where that is open.
@@ -49,8 +49,8 @@ class _WideCircleError(PrecisionError):
 
 
 def _round(
-    image: BallImage, root: Any, others: Sequence[Any], r: Any, times: list[Any], bits: int, effort: Effort
-) -> list[list[Any]]:
+    image: BallImage, root: acb, others: Sequence[acb], r: arb, times: list[Any], bits: int, effort: Effort
+) -> list[list[acb]]:
     centre = acb(root.mid())
     if not abs(root - centre) < r / 2:
         raise PrecisionError("a root is not sharp enough for balls: certify with more digits")
@@ -77,7 +77,7 @@ def _round(
     return out
 
 
-def _largest(image: BallImage, centre: Any, r: Any, effort: Effort) -> list[Any]:
+def _largest(image: BallImage, centre: acb, r: arb, effort: Effort) -> list[arb]:
     """Bounds of |û| in the ring by channels: no cut meets the disc, so that it is largest on the two circles."""
     try:
         disc = image.clear(centre + square(2 * r), centre)
@@ -91,8 +91,8 @@ def _largest(image: BallImage, centre: Any, r: Any, effort: Effort) -> list[Any]
 
 
 def _over(
-    image: BallImage, disc: Cell, circle: tuple[Any, Any], turns: tuple[float, float], effort: Effort, depth: int
-) -> list[Any]:
+    image: BallImage, disc: Cell, circle: tuple[acb, arb], turns: tuple[float, float], effort: Effort, depth: int
+) -> list[arb]:
     """The same over an arc; arcs where the equations may be singular are halved."""
     a, b = turns
     effort.spend(1)
@@ -108,5 +108,5 @@ def _over(
     return _larger(*sides)
 
 
-def _larger(some: list[Any], other: list[Any]) -> list[Any]:
+def _larger(some: list[arb], other: list[arb]) -> list[arb]:
     return [x.max(y) for x, y in zip(some, other, strict=True)] if some else other

@@ -13,6 +13,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from flint import acb
+
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb_mat, arb, arb_mat
 
@@ -21,7 +23,7 @@ Disc = tuple[Any, Any]
 _UNDER = "what the contacts reflect far out is not under control: lower the path, or give fewer contacts"
 
 
-def solved(rows: list[list[Disc]], right: list[Any], waves: Waves | None = None) -> list[Any]:
+def solved(rows: list[list[Disc]], right: list[Any], waves: Waves | None = None) -> list[arb]:
     """Bounds of |x| for all matrices of these discs, |right| bounded; PrecisionError where one may be singular.
 
     With an inverse R of the middles, |R A − I| ≤ E; where E u < u for some u > 0, |A⁻¹| ≤ (I − E)⁻¹ |R|. With waves
@@ -65,11 +67,11 @@ class Waves:
 
     chain: tuple[int, ...]
     ahead: Any
-    behind: Any
-    to_and_fro: tuple[Any, ...]
-    sizes: Any
+    behind: acb
+    to_and_fro: tuple[arb, ...]
+    sizes: arb_mat
 
-    def inverse(self, inverse: Any) -> Any:
+    def inverse(self, inverse: acb_mat) -> arb_mat:
         """Bounds of the entries of (I + diag(inverse) T)⁻¹."""
         size = self.sizes.nrows()
         own = [-inverse[k, k] for k in self.chain]
@@ -80,7 +82,7 @@ class Waves:
         return arb_mat([[bound if {i, j} <= chained else arb(int(i == j)) for j in range(size)] for i in range(size)])
 
 
-def entries(alpha: Sequence[Any], beta: Sequence[Any], to_and_fro: Sequence[Any], largest: Any) -> Any:
+def entries(alpha: Sequence[Any], beta: Sequence[acb], to_and_fro: Sequence[Any], largest: arb) -> arb:
     """A bound of every entry of (I + N)⁻¹, |N_ij| ≤ largest, by Hadamard's inequality; PrecisionError without one."""
     n, Z, floor = len(alpha), arb(0), arb(1)
     for a, b, grown in zip(reversed(alpha), reversed(beta), (*reversed(to_and_fro), arb(0)), strict=True):

@@ -39,7 +39,7 @@ class Work:
         image: BallImage,
         poles: list[Any],
         line: Path,
-        at: list[Any],
+        at: list[arb],
         digits: tuple[int, int],
         effort: Effort,
         said: Progress,
@@ -104,7 +104,7 @@ class Work:
             return path, radius, bounds
         raise error or PrecisionError("no path is proved: change a parameter")
 
-    def _integral(self, path: Path, radius: float, bounds: list[Bound], goals: list[Any]) -> Any:
+    def _integral(self, path: Path, radius: float, bounds: list[Bound], goals: list[arb]) -> Any:
         """(1/π) Im ∫, with what is missed in the radii."""
         first, end = least(self.late), radius**0.5 * 1.001
         longest = min(_LONGEST, (_TURNS / float(first)) ** 0.5, _ECHOES / self.span if self.span else _LONGEST)
@@ -135,7 +135,7 @@ class Work:
                 f"a place is reached by waves at t = {when:.6g} only: give later times, or nearer places"
             )
 
-    def _tail(self, path: Path, bounds: list[Bound], end: float, t: Any) -> list[Any]:
+    def _tail(self, path: Path, bounds: list[Bound], end: float, t: arb) -> list[arb]:
         """Bounds of what lies beyond r = end, by channels: ∫ |σ'| e^{αt − δ(r − r₀)(t − delay)} dr in closed form."""
         out = []
         for size, delay in bounds:
