@@ -220,7 +220,7 @@ SPECTRUM = [
         "the slope of a product misses a part",
         "characteristic.bordering",
         "Bordering.slope",
-        " + f_slope[..., factors] * g[..., waves]",
+        " + _taken(f_slope, factors) * _taken(g, waves)",
         "",
         "joined",
     ),

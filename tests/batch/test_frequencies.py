@@ -171,8 +171,10 @@ def test_tables() -> None:
 
 def test_a_data_frame_needs_pandas(monkeypatch: pytest.MonkeyPatch) -> None:
     found = frequencies(PAIR, {"v": [0.66]})
-    monkeypatch.setitem(sys.modules, "pandas", SimpleNamespace(DataFrame=lambda columns: ("frame", columns)))
-    assert found.to_frame() == ("frame", found.to_dict())
+    monkeypatch.setitem(sys.modules, "pandas", SimpleNamespace(DataFrame=lambda rows: ("frame", rows)))
+    (row,) = found.records()
+    assert found.to_frame() == ("frame", [row])
+    assert {name: [value] for name, value in row.items()} == found.to_dict()
     monkeypatch.setitem(sys.modules, "pandas", None)
     with pytest.raises(InputError, match="pip install pandas"):
         found.to_frame()

@@ -34,7 +34,7 @@ def made(v: str = "0.67", c: str = "0.1") -> tuple[Arrays, LocalArrays]:
     point = edge_points(line)[0]
     arrays = paths.arrays
     assert isinstance(arrays, Arrays)
-    return arrays, about(paths, point.exact, point.pole)
+    return arrays, about(paths.arrays.reduced, point.exact, point.pole)
 
 
 def truth(reduced: Reduced, sigma: mp.mpc, x: Fraction) -> mp.mpc:
