@@ -90,7 +90,9 @@ def _to_edges(rows: Reals, closed: bool, corners: tuple[Reals, Reals], whole: Re
     return Path(np.array(points).T, all(one is not None for one in ends))
 
 
-def _on_edge(last: Reals, before: Reals, corners: tuple[Reals, Reals], whole: Reals, corrected: Corrected) -> Reals:
+def _on_edge(
+    last: Reals, before: Reals, corners: tuple[Reals, Reals], whole: Reals, corrected: Corrected
+) -> Reals | None:
     """The point on the edge to which the last step leads; None where none is near."""
     step = last - before
     best: tuple[float, int, float] | None = None
