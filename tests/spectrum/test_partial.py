@@ -134,5 +134,5 @@ def test_sixty_four_contacts_leave_something_after_a_second() -> None:
         started = process_time()
         part = certify(row(64), region="unstable", digits=20, effort=Effort(seconds=seconds), check=False)
         assert process_time() - started < seconds + 1
-        assert part.proved or part.known.get(key)
+        assert part.proved or part.known.get(key) or part.known.get("count") == whole.count  # which says more
         agrees(part, whole)
