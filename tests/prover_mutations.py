@@ -71,7 +71,7 @@ class Mutation(NamedTuple):
 CHARACTERISTIC = [
     Mutation(
         "inertia has the other sign",
-        "characteristic.bordered",
+        "characteristic.disc_matrix",
         "_polynomials",
         "Jet(c0 + c1 * z + c2 * z * z",
         "Jet(c0 + c1 * z - c2 * z * z",

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.discs import Splittings, split
 from mpsolve.characteristic.residues import told_apart
 from mpsolve.characteristic.table import Table

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.discs import Splittings, linked, near_roots
 from mpsolve.characteristic.path import discs
 from mpsolve.frozen import frozen

@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.discs import Splittings, linked, split
 from mpsolve.characteristic.origin import Origin
 from mpsolve.characteristic.path import Kind, Path, between, discs, on_arc

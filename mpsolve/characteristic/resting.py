@@ -16,8 +16,8 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.bordering import Bordering
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.frozen import frozen
 from mpsolve.numbers.jets import UP, Jet, U, joined, nearest
 

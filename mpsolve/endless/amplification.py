@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from mpsolve.certificate.certify import certify
-from mpsolve.characteristic.bordered import Arrays
 from mpsolve.characteristic.bordering import direct_contacts
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.start import start
 from mpsolve.endless.ratio import Ratio
 from mpsolve.errors import InputError, PrecisionError

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.discs import split
 from mpsolve.characteristic.path import discs
 from mpsolve.characteristic.residues import waves

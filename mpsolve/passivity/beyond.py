@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.path import Path
 from mpsolve.characteristic.paths import Paths
 from mpsolve.errors import PrecisionError

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.discs import split
 from mpsolve.characteristic.loops import turn_round
 from mpsolve.characteristic.paths import Paths

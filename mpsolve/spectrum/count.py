@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.origin import origin, waves_meet_at_zero
 from mpsolve.characteristic.path import Path
 from mpsolve.characteristic.paths import ROOM, Paths, Proved

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.path import Path
 from mpsolve.characteristic.paths import ROOM, Paths, Proved
 from mpsolve.characteristic.start import Start, start

@@ -11,7 +11,7 @@ import pytest
 
 from mpsolve import tracks, vehicles
 from mpsolve.characteristic import local
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.discs import Splittings, split
 from mpsolve.characteristic.local import LocalArrays, same_pair
 from mpsolve.characteristic.paths import Paths

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from mpsolve import tracks, vehicles
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.discs import split
 from mpsolve.characteristic.floats import Floats
 from mpsolve.characteristic.loops import turn_round

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mpsolve import Problem, tracks, vehicles
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.discs import split
 from mpsolve.characteristic.origin import origin, waves_meet_at_zero
 from mpsolve.characteristic.table import Table

@@ -10,7 +10,7 @@ import pytest
 from track_models import DAMPED
 
 from mpsolve import vehicles
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.discs import split
 from mpsolve.characteristic.path import Path, on_arc
 from mpsolve.characteristic.paths import Paths
@@ -96,7 +96,7 @@ def test_the_splitting_at_the_start_must_be_the_one_told_apart() -> None:
 
 def test_a_wrong_pair_is_not_linked_along_a_path(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where nodes of the two sides are exchanged on some discs, the joins fail."""
-    from mpsolve.characteristic import bordered
+    from mpsolve.characteristic import disc_matrix
     from mpsolve.characteristic import paths as module
 
     whole = some_paths()
@@ -107,7 +107,7 @@ def test_a_wrong_pair_is_not_linked_along_a_path(monkeypatch: pytest.MonkeyPatch
         z = np.where((s.m.imag > 1)[:, None], s.z[:, [2, 1, 0, 3]], s.z)
         return replace(s, z=z)
 
-    monkeypatch.setattr(bordered, "split", exchanged)
+    monkeypatch.setattr(disc_matrix, "split", exchanged)
     monkeypatch.setattr(module, "split", exchanged)
     with pytest.raises(PrecisionError):
         whole.prove((link, turn), Effort())

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from mpsolve import Case
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.resting import Resting
 from mpsolve.problem.cases import as_problem
 from mpsolve.problem.line import on_line

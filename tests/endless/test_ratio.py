@@ -9,7 +9,7 @@ import pytest
 from endless_rows import BEAM, bogies, masses
 
 from mpsolve import receptance
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.start import start
 from mpsolve.endless.ratio import Ratio
 from mpsolve.endless.row import Row

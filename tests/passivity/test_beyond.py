@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from mpsolve import Problem, tracks, vehicles
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.floats import Receptance
 from mpsolve.characteristic.paths import Paths
 from mpsolve.characteristic.start import start

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from mpsolve import tracks, vehicles
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.paths import Paths
 from mpsolve.characteristic.start import start
 from mpsolve.errors import EffortError

@@ -10,7 +10,7 @@ from track_models import DAMPED
 from vehicle_models import TYPICAL
 
 from mpsolve import vehicles
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.errors import PrecisionError
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem

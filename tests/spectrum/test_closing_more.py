@@ -10,7 +10,7 @@ from oracle_general import Floats
 from oracle_general.named import at, masses
 from oracle_general.package import as_problem
 
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.start import start
 from mpsolve.errors import PrecisionError
 from mpsolve.problem.reduced import Reduced, reduce_problem

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from mpsolve import tracks, vehicles
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.path import discs, on_arc
 from mpsolve.errors import InputError
 from mpsolve.problem.problem import Problem

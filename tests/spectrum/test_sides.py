@@ -6,7 +6,7 @@ import pytest
 from flint import arb
 
 from mpsolve import Problem, tracks, vehicles
-from mpsolve.characteristic.bordered import Arrays
+from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.paths import Paths
 from mpsolve.characteristic.start import start
 from mpsolve.errors import PrecisionError

@@ -13,8 +13,8 @@ from track_models import DAMPED
 from vehicle_models import TYPICAL, random_vehicles
 
 from mpsolve import vehicles
-from mpsolve.characteristic.bordered import Arrays, _polynomials
 from mpsolve.characteristic.bordering import direct_contacts
+from mpsolve.characteristic.disc_matrix import Arrays, _polynomials
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 
