@@ -346,8 +346,9 @@ def resonances(bd, most):
 
 def moved(walker, kind, mark, where):
     """The mark there, and the change of arg Δ̂ from the matrices at both ends."""
-    end, turns = walker.piece(kind, mark, where)
-    return end, walker.turned([mark, end], [turns]) if turns else arb(0)
+    walker.marks[mark.q] = mark
+    (_, end), turns = walker.chain(kind, [mark.q, where])
+    return end, walker.turned([mark, end], turns) if turns else arb(0)
 
 
 def walk(walker, kind, corners):
@@ -595,8 +596,8 @@ def refine(content, digits):
             sigma = v2.at_q(root.z)
             for _ in range(bits.bit_length()):
                 place = v2.Place.disc(sigma, r := abs(sigma) * arb(2) ** -(bits // 2))
-                disc = v2.nodes_near(waves.near(place)).split()
-                (first, slope), _ = v2.block(bordered(place, v2.kernels(waves, disc)[0]), 1)
+                found = v2.Apart.of(local := waves.near(place), *v2.sorted_roots(local))
+                (first, slope), _ = v2.block(bordered(place, v2.kernels(waves, [found])[0][0]), 1)
                 sigma = (sigma - first[0, 0] / slope[0, 0] * r).mid()
                 if not root.pair and root.z[0] == 0:
                     sigma = acb(sigma.real)

@@ -855,8 +855,15 @@ def sums(rows: Sequence[Sequence[Any]], length: int) -> list[Any]:
 
 def joined(forms: Sequence[Form]) -> Form:
     """All their functions in one row."""
+    if len(forms) == 1:
+        return forms[0]
     k = [[x for row in rows for x in row] for rows in zip(*(f.k for f in forms), strict=True)]
-    return Form(k, [x for f in forms for x in f.e], forms[0].m)
+    known = {
+        order: [x for f in forms for x in f.known[order]]
+        for order in range(4)
+        if all(order in f.known for f in forms)
+    }
+    return Form(k, [x for f in forms for x in f.e], forms[0].m, known)
 
 
 def along(
@@ -1028,6 +1035,12 @@ class Local:
     def degree(self) -> int:
         return int(self.D.nrows()) - 1
 
+    @property
+    def lead(self) -> Any:
+        """A lower bound of the modulus of D's highest coefficient."""
+        first, *change = [abs(x) for x in self.D.tolist()[-1]]
+        return first - sum(change, ZERO)
+
     @cached_property
     def N(self) -> Any:
         return self.place.taylor(self._n)
@@ -1040,16 +1053,23 @@ class Local:
                 column.pop()
         forms, bounds = [], list[list[Any]]()
         for i in range(table.nrows()):
-            k, sizes = [], []
+            k, parts = (
+                [],
+                list[list[list[Any]]]([[], [], [], []]),
+            )  # bounds: of constants, linear, quadratic, the rest
             for number, column in enumerate(columns):
-                c = [comb(j, i) * x for j, x in enumerate(column[i:], i)] if i else column
+                c = column[i:]
+                if i and len(c) > 1:
+                    c[1:] = [comb(j, i) * x for j, x in enumerate(c[1:], i + 1)]
                 row = [horner(c, x) for x in z] if len(c) > 1 else (c or [NONE]) * n
-                k.append(row)
-                if number >= width or i > 1:
-                    sizes.append([x.abs_upper() for x in row] if len(c) > 1 else [row[0].abs_upper()] * n)
+                if number < width:
+                    k.append(row)
+                if c and (number >= width or i > 1):
+                    order = 3 if number >= width else min(number, 1) + (number > m)
+                    parts[order].append([x.abs_upper() for x in row] if len(c) > 1 else [c[0].abs_upper()] * n)
+            sizes = [sums(rows, n) for rows in parts]
             bounds.append(sums(sizes, n) if i > 1 else [])
-            known = {0: sizes[0], 1: sums(sizes[1 : 1 + m], n)} if i > 1 else {}
-            forms.append(Form(k[:width], sums(sizes[len(sizes) - len(columns) + width :], n), m, known))
+            forms.append(Form(k, sizes[3], m, dict(enumerate(sizes[:2])) if i > 1 else {}))
         return forms[: self.place.order + 2], bounds
 
 
@@ -1100,15 +1120,9 @@ class Nodes:
         self.rows = (acb_mat([powers(x, n) for x in z]) * local.D).tolist()
         self.values = local.place.of_columns([list(x) for x in zip(*self.rows, strict=True)])
 
-    @property
-    def least(self) -> Any:
-        """A lower bound of |lead| over the place."""
-        first, *change = [abs(x) for x in self.local.D.tolist()[-1]]
-        return first - sum(change, ZERO)
-
     def split(self, thin: bool = False) -> Split:
         """The pair over the place, or Refused; thin: at its middle, where the constants are the values of D."""
-        low = abs(self.local.D[len(self.z), 0]) if thin else self.least
+        low = abs(self.local.D[len(self.z), 0]) if thin else self.local.lead
         require(low > 0, "the highest coefficient may vanish on a piece")
         sizes = self.values.sizes(0) if thin else self.values.size
         w = [(x / (abs(size) * low)).upper() for x, size in zip(sizes, self.all, strict=True)]
@@ -1141,25 +1155,6 @@ def contraction(w: Sequence[Any], inverse: Any, tiny: Any) -> tuple[list[Any], l
             return None
         beta = [(x * 1.15 + tiny).upper() for x in tau]
     return None
-
-
-def isolated(tight: Sequence[Any], distance: Sequence[Sequence[Any]], side: range) -> list[Any]:
-    """Radii of disjoint discs round the nodes of one side, one root of its factor in each (Lemma 2); or Refused."""
-    radii = []
-    for k in side:
-        for widening in (1.02, 1.1, 1.5, 3):
-            e = (tight[k] * widening).upper()
-            near = [(tight[j], distance[k][j] - e) for j in side if j != k]
-            if all(gap > 0 for _, gap in near):
-                g = sum((t / gap for t, gap in near), arb(0))
-                if g < 1 and (tight[k] < e * (1 - g) or tight[k] == 0):
-                    radii.append(e)
-                    break
-        else:
-            raise Refused("p-roots of one side meet")
-    for (i, e), (k, f) in combinations(list(zip(side, radii, strict=True)), 2):
-        require(distance[i][k] > e + f, "p-roots of one side meet")
-    return radii
 
 
 @dataclass(repr=False, eq=False)
@@ -1205,8 +1200,84 @@ class Split:
                     return False
         return self.nodes.up == other.nodes.up
 
-    def isolated(self, side: range) -> list[Any]:
-        return isolated(self.tight, self.nodes.distance, side)
+    def holds(self, found: Apart) -> bool:
+        """Whether the roots of the pair at a σ of the disc are those found there, side by side."""
+        nodes, balls = self.nodes, [x + box(e) for x, e in zip(found.z, found.e, strict=True)]
+        sizes = ((k, prod((nodes.z[k] - balls[i] for i in side), start=acb(1))) for side in nodes.side for k in side)
+        return nodes.up == found.up and all(abs(x) < self.box[k] * nodes.own[k] for k, x in sizes)
+
+
+@dataclass(repr=False, eq=False)
+class Apart:
+    """All p-roots over a place, each alone in a disc |P − z| ≤ e, disjoint from the others; the first `up` are those
+    of U. D, sizes: see `Local.about`."""
+
+    local: Local
+    z: list[Any]
+    up: int
+    e: list[Any]
+    D: list[Form]
+    sizes: list[list[Any]]
+
+    @classmethod
+    def of(cls, local: Local, z: Sequence[Any], up: int) -> Apart:
+        """Near these points, or Refused: D/lead = Π(P − z_k)·(1 + Σ W_k/(P − z_k)) (SPEC2, 4.3)."""
+        low, (D, sizes) = local.lead, local.about(z, local.D)
+        require(low > 0, "the highest coefficient may vanish on a piece")
+        gaps = [[abs(x - y) for y in z] for x in z]
+        w = [x / prod((g for i, g in enumerate(row) if i != k), start=low)
+             for k, (x, row) in enumerate(zip(D[0].size, gaps, strict=True))]  # fmt: skip
+        return cls(local, list(z), up, [isolated(k, w, row) for k, row in enumerate(gaps)], D, sizes)
+
+    def __post_init__(self) -> None:
+        pairs_ = combinations(zip(self.z, self.e, strict=True), 2)
+        require(all(abs(x - y) > d + f for (x, d), (y, f) in pairs_), APART)
+
+    @property
+    def sides(self) -> list[range]:
+        return [range(self.up), range(self.up, len(self.z))]
+
+    def near(self, sigma: Any) -> Known:
+        """Near the p-roots at a σ of the disc, or next to it."""
+        place, moved = self.local.place, self.D[0].k[0]
+        if place.m:
+            u = (sigma - place.middle[0]) / place.half[0]
+            moved = [x + y * u for x, y in zip(moved, self.D[0].k[1], strict=True)]
+        return [(z - x / y).mid() for z, x, y in zip(self.z, moved, self.D[1].k[0], strict=True)], self.up
+
+    def holds(self, found: Apart) -> bool:
+        """Whether at a common σ the roots found are these, side by side: discs of different sides are disjoint."""
+        across = ((i, k) for a, b in zip(self.sides, reversed(found.sides), strict=True) for i in a for k in b)
+        return self.up == found.up and all(abs(self.z[i] - found.z[k]) > self.e[i] + found.e[k] for i, k in across)
+
+    @property
+    def known(self) -> Known:
+        return [x.mid() for x in self.z], self.up
+
+    @property
+    def sided(self) -> bool:
+        """Whether all roots of U have Re P < 0, and those of L Re P > 0."""
+        return all(
+            (x.real if k >= self.up else -x.real) > e for k, (x, e) in enumerate(zip(self.z, self.e, strict=True))
+        )
+
+
+APART = "p-roots are not told apart: the piece is too long"
+
+
+def isolated(k: int, w: Sequence[Any], gaps: Sequence[Any]) -> Any:
+    """e with w_k/e + Σ_{j ≠ k} w_j/(gap_j − e) < 1: exactly one root in |P − z_k| < e, and it has |P − z_k| ≤ e."""
+    e = w[k]
+    for _ in range(8):
+        e = (e * 1.02).upper()
+        away = [gap - e for gap in gaps]
+        require(all(x > 0 for j, x in enumerate(away) if j != k), APART)
+        left = 1 - sum((w[j] / x for j, x in enumerate(away) if j != k), ZERO)
+        require(left > 0, APART)
+        if w[k] < e * left or w[k].is_zero():
+            return e
+        e = w[k] / left
+    raise Refused(APART)
 
 
 def p_roots(local: Local) -> list[Any]:
@@ -1227,23 +1298,38 @@ def nearest(x: Any, others: Sequence[Any]) -> int:
     return min(range(len(others)), key=lambda k: abs(complex(x - others[k])))
 
 
-def nodes_near(local: Local, known: Known | None = None) -> Nodes:
-    """Nodes at the p-roots of a middle; for U those with Re P < 0, or those next to the first of the known ones."""
+def sorted_roots(local: Local, known: Known | None = None) -> Known:
+    """The p-roots of a middle; for U those with Re P < 0, or those next to the first of the known ones."""
     z = p_roots(local)
     side = [x.real > 0 if known is None else nearest(x, known[0]) >= known[1] for x in z]
     order = sorted(range(len(z)), key=side.__getitem__)
-    return Nodes([z[k] for k in order], side.count(False), local)
+    return [z[k] for k in order], side.count(False)
 
 
-def split_near(local: Local, known: Known) -> Split:
-    """The pair over a place, or Refused: from nodes that go on from known ones, or next to them."""
+def nodes_near(local: Local, known: Known | None = None) -> Nodes:
+    """Nodes at the p-roots of a middle, see `sorted_roots`."""
+    return Nodes(*sorted_roots(local, known), local)
+
+
+def going_on(local: Local, known: Known, prove: Callable[[list[Any], int], Any]) -> Any:
+    """What `prove` finds over a place from numbers that go on from known ones, or next to them; or Refused."""
     z = newton([local.D[i, 0].mid() for i in range(local.degree + 1)], known[0])
-    if z is None:  # real numbers find no complex roots, and where all are of one side any nodes would do for the pair
-        return nodes_near(local, known).split()
-    try:
-        return Nodes(z, known[1], local).split()
-    except Refused:
-        return nodes_near(local, known).split()
+    if z is not None:  # real numbers find no complex roots
+        try:
+            return prove(z, known[1])
+        except Refused:
+            pass
+    return prove(*sorted_roots(local, known))
+
+
+def split_near(local: Local, known: Known) -> Any:
+    """The pair over a place. Where all roots are of one side any nodes would do."""
+    return going_on(local, known, lambda z, up: Nodes(z, up, local).split())
+
+
+def apart_near(local: Local, known: Known) -> Any:
+    """The p-roots over a place."""
+    return going_on(local, known, lambda z, up: Apart.of(local, z, up))
 
 
 def newton(D: Sequence[acb], z: Sequence[acb]) -> list[acb] | None:
@@ -1294,13 +1380,17 @@ def sided(split: Split) -> bool:
 # --- kernels: G(ξ) over a place ---------------------------------------------------------------------------
 
 
-def residues(local: Local, z: Sequence[Any], e: Sequence[Any]) -> tuple[Form, Form]:
-    """The one root in each disc of radius e round z, and N/D_P there.
+def residues(found: Sequence[Apart], used: Sequence[int]) -> tuple[Form, Form]:
+    """The roots of these numbers over each place, place by place, and N/D_P there.
 
-    With D(z + h) = Σ E_i h^i the root has h = −(E_0 + (E_1 − E_1(0))h + E_2h² + …)/E_1(0), in forms of first order.
+    With D(z + h) = Σ E_i h^i a root has h = −(E_0 + (E_1 − E_1(0))h + E_2h² + …)/E_1(0), in forms of first order.
     """
-    (D, sizes), (N, above) = local.about(z, local.D), local.about(z, local.N)
-    require(not any(x.contains(0) for x in D[1].k[0]), "a p-root may be double on a piece")
+    z, e = ([row[k] for row in rows for k in used] for rows in ([x.z for x in found], [x.e for x in found]))
+    D = [joined([f.take(used) for f in forms]) for forms in zip(*(x.D for x in found), strict=True)]
+    sizes = [[row[k] for row in rows if row for k in used] for rows in zip(*(x.sizes for x in found), strict=True)]
+    numerators = [x.local.about([x.z[k] for k in used], x.local.N) for x in found]
+    N = [joined(forms) for forms in zip(*(forms for forms, _ in numerators), strict=True)]
+    above = [[y for row in rows for y in row] for rows in zip(*(bounds for _, bounds in numerators), strict=True)]
     c = [-1 / x for x in D[1].k[0]]
     rest = [ZERO] * len(z)
     for size in (*reversed(sizes[2:]), D[1].spread):
@@ -1310,52 +1400,68 @@ def residues(local: Local, z: Sequence[Any], e: Sequence[Any]) -> tuple[Form, Fo
     return h.plus(z), along(N, above, h, e) * along(D, sizes, h, e, True).inverse()
 
 
-def kernels(waves: Waves, split: Split, pole: Any = None) -> tuple[Form, Form]:
-    """G = ± Σ N e^{Pξ}/D_P for each gap, over the roots of its side, each alone in a disc; and Σ N/D_P over U.
+def kernels(waves: Waves, found: Sequence[Apart], pole: Any = None) -> list[tuple[Form, Form]]:
+    """Over each place G = ± Σ N e^{Pξ}/D_P for each gap, over the roots of its side; and Σ N/D_P over U.
 
     With a pole that is e^{pole·ξ}·H(ξ) for each gap, and g, with G = e^{pole·ξ}(g + H): only g is large where
     P = pole is double.
     """
-    nodes = split.nodes
-    used = [side for side in (0, 1) if pole is not None or any(ahead == (side == 0) for ahead in waves.ahead)]
-    here = [k for side in used for k in nodes.side[side]]
-    radii = [e for side in used for e in split.isolated(nodes.side[side])]
-    if here:
-        P, weight = residues(nodes.local, [nodes.z[k] for k in here], radii)
-    else:
-        P = weight = nodes.local.place.number(0).take([])
-    sides = [[n for n, k in enumerate(here) if k in side] for side in nodes.side]
-    return summed(waves, nodes.local.place, P, weight, sides, pole)
+    sides = [list(side) if pole is not None or any(ahead == (not k) for ahead in waves.ahead) else []
+             for k, side in enumerate(found[0].sides)]  # fmt: skip
+    used = [k for side in sides for k in side]
+    P = weight = found[0].local.place.number(0).take([])
+    if used:
+        P, weight = residues(found, used)
+    numbers = [[used.index(k) for k in side] for side in sides]
+    return summed(waves, [x.local.place for x in found], P, weight, numbers, pole)
 
 
 def summed(
-    waves: Waves, place: Place, P: Form, weight: Form, sides: Sequence[Sequence[int]], pole: Any = None
-) -> tuple[Form, Form]:
-    """For each gap ± Σ weight·e^{Pξ} over the roots of its side; and Σ weight over those of U."""
+    waves: Waves, places: Sequence[Place], P: Form, weight: Form, sides: Sequence[Sequence[int]], pole: Any = None
+) -> list[tuple[Form, Form]]:
+    """Over each place for each gap ± Σ weight·e^{Pξ} over the roots of its side; and Σ weight over those of U.
+
+    P, weight: of roots, place by place, as many of each; sides: the numbers of those of U and of L.
+    """
+    count, number = len(places), len(P.e) // len(places)
     chosen = [[g for g, ahead in enumerate(waves.ahead) if ahead == (side == 0)] for side in (0, 1)]
-    pairs_ = [(k, g) for mine, gaps in zip(sides, chosen, strict=True) for k in mine for g in gaps]
-    roots, gaps = [k for k, _ in pairs_], [g for _, g in pairs_]
-    ride, xi = P.take(roots), waves.distances if waves.fixed else []
+    every = [(n * number + k, n, g) for mine, gaps in zip(sides, chosen, strict=True)
+             for k in mine for n in range(count) for g in gaps]  # fmt: skip
+    roots = [k for k, _, _ in every]
+    ride = P.take(roots)
     if pole is not None:
-        ride = ride.plus([-pole] * len(pairs_))
-    ride = (ride.scaled([xi[g] for g in gaps]) if waves.fixed else ride * place.value(waves.xi).take(gaps)).exp()
+        ride = ride.plus([-pole] * len(every))
+    if waves.fixed:
+        ride = ride.scaled([waves.distances[g] for _, _, g in every])
+    else:
+        xi = joined([place.value(waves.xi) for place in places])
+        ride = ride * xi.take([n * len(waves.gaps) + g for _, n, g in every])
+    ride = ride.exp()
     if pole is not None:
-        ride = ride.plus([acb(-1)] * len(pairs_))
+        ride = ride.plus([acb(-1)] * len(every))
+    weight.sizes(1)
     ride = ride * weight.take(roots)
-    ahead = len(sides[0]) * len(chosen[0])
-    G = folded(ride.part(0, ahead), len(chosen[0]))
-    if chosen[1]:
-        G = joined([G, -folded(ride.part(ahead, len(pairs_)), len(chosen[1]))])
-    if pole is not None:
-        G = G.scaled([(pole * x).exp() for x in xi])
+    ahead, behind = (count * len(gaps) for gaps in chosen)
+    split = len(sides[0]) * ahead
+    G = folded(ride.part(0, split), ahead)
+    if behind:
+        G = joined([G, -folded(ride.part(split, len(every)), behind)])
     fine = all(x.is_finite() for row in (*G.k, G.e) for x in row)
     require(fine, "a kernel is not bounded on a piece")
-    return G, folded(weight.take(sides[0]), 1) if pole is not None else G
+    out, (a, b) = [], map(len, chosen)
+    for n in range(count):
+        one = G.take([*range(n * a, (n + 1) * a), *range(ahead + n * b, ahead + (n + 1) * b)])
+        if pole is None:
+            out.append((one, one))
+        else:
+            g = folded(weight.take([n * number + k for k in sides[0]]), 1)
+            out.append((one.scaled([(pole * x).exp() for x in waves.distances]), g))
+    return out
 
 
 def folded(f: Form, n: int) -> Form:
     """The sum of the parts of a row, each of n functions; 0 where it has none."""
-    parts = [f.part(k, k + n) for k in range(0, len(f.e), n)]
+    parts = [f.part(k, k + n) for k in range(0, len(f.e), n)] if n else []
     return sum(parts[1:], parts[0]) if parts else Form([[NONE] * n for _ in f.k], [ZERO] * n, f.m)
 
 
@@ -1376,59 +1482,47 @@ class Origin:
         place = Place.disc(acb(0), r)
         return [Local(place, *both) for both, _, _ in self.kinds]
 
-    def roots(self, r: Any) -> list[tuple[int, int, Any, Any]]:
-        """(kind, side, z, e): over |σ| ≤ r each ζ, or P, alone in a disc |ζ − z| ≤ e off the imaginary axis."""
-        out: list[tuple[int, int, Any, Any]] = []
-        for kind, (local, (_, first, last)) in enumerate(zip(self.locals(r), self.kinds, strict=True)):
-            z = [x.mid() for x in acb_poly([local.D[i, 0].mid() for i in range(first, last + 1)]).roots()]
-            E, sizes = local.about(z, local.D)
-            sizes[:2] = E[0].size, E[1].spread
-            found = []
-            for one, slope, *row in zip(z, E[1].k[0], *sizes, strict=True):
-                e = alone(row, slope.abs_lower())
-                require(abs(one.real) > e, "a p-root may be real next to q = 0")
-                found.append((kind, int(one.real > 0), one, e))
-            apart = all(abs(x[2] - y[2]) > x[3] + y[3] for x, y in combinations(found, 2))
-            require(apart, "p-roots are not told apart next to q = 0")
-            out += found
-        require(len(out) == self.waves.track.degree, "a p-root is at infinity next to q = 0")
-        reach = [(abs(z) + e) * r for kind, _, z, e in out if not kind]
-        away = all(abs(z) - e > x for kind, _, z, e in out if kind for x in reach)
+    def roots(self, r: Any) -> list[Apart]:
+        """Over |σ| ≤ r the ζ, and the P of the other roots, off the imaginary axis."""
+        out = []
+        for local, (_, first, last) in zip(self.locals(r), self.kinds, strict=True):
+            z = acb_poly([local.D[i, 0].mid() for i in range(first, last + 1)]).roots()
+            z = sorted((x.mid() for x in z), key=lambda x: bool(x.real > 0))
+            D, sizes = local.about(z, local.D)
+            rows = zip(D[0].size, D[1].spread, *sizes[2:], strict=True)
+            e = [alone(row, slope.abs_lower()) for row, slope in zip(rows, D[1].k[0], strict=True)]
+            out.append(Apart(local, z, sum(not x.real > 0 for x in z), e, D, sizes))
+        require(all(found.sided for found in out), "a p-root may be real next to q = 0")
+        number = sum(len(found.z) for found in out)
+        require(number == self.waves.track.degree, "a p-root is at infinity next to q = 0")
+        slow, others = (list(zip(found.z, found.e, strict=True)) for found in out)
+        away = all(abs(z) - e > (abs(x) + f) * r for z, e in others for x, f in slow)
         require(away, "p-roots are not told apart next to q = 0")
         return out
 
     def kernels(self, r: Any) -> Form:
         """For each gap G over |σ| ≤ r."""
-        found, parts = self.roots(r), []
-        for kind, local in enumerate(self.locals(r)):
-            mine = [(z, e) for k, _, z, e in found if k == kind]
-            P, weight = residues(local, *map(list, zip(*mine, strict=True)))
+        found, parts, sides = self.roots(r), [], list[list[int]]([[], []])
+        for kind, one in enumerate(found):
+            P, weight = residues([one], range(len(one.z)))
             if not kind:
-                sigma = local.place.power(0, 1).take([0] * len(mine))
+                sigma = one.local.place.power(0, 1).take([0] * len(one.z))
                 P = P * sigma
                 for _ in range(self.power):
                     weight = weight * sigma
+            for side, mine in zip(sides, one.sides, strict=True):
+                side += [k + (len(found[0].z) if kind else 0) for k in mine]
             parts.append((P, weight))
         P, weight = map(joined, zip(*parts, strict=True))
-        sides = [[n for n, one in enumerate(found) if one[1] == side] for side in (0, 1)]
-        return summed(self.waves, local.place, P, weight, sides)[0]
+        return summed(self.waves, [found[0].local.place], P, weight, sides)[0][0]
 
-    def near(self, sigma: Any) -> Known:
-        """Near the p-roots."""
-        found = sorted(self.roots(arb(0)), key=lambda one: one[1])
-        return [z * (1 if kind else sigma) for kind, _, z, _ in found], sum(not side for _, side, _, _ in found)
-
-    def links(self, thin: Split, r: Any) -> bool:
-        """Whether the pair of a thin splitting, at a σ with |σ| ≤ r, has the roots of both sides here."""
-        nodes, sigma, found = thin.nodes, thin.nodes.local.place.middle[0], self.roots(r)
-        if sum(not side for _, side, _, _ in found) != nodes.up:
-            return False
-        for other, side in enumerate(nodes.side):
-            radii = thin.isolated(side)
-            mine = [(z + box(e)) * (1 if kind else sigma) for kind, s, z, e in found if s != other]
-            if not all(abs(p - nodes.z[k]) > e for p in mine for k, e in zip(side, radii, strict=True)):
-                return False
-        return True
+    def at(self, sigma: Any, r: Any) -> Apart:
+        """The P of all roots at a σ with |σ| ≤ r."""
+        slow, others = self.roots(r)
+        z, e = [z * sigma for z in slow.z], [e * abs(sigma) for e in slow.e]
+        (a, b), (c, d) = ((slice(x.up), slice(x.up, None)) for x in (slow, others))
+        z, e = ([*x[a], *y[c], *x[b], *y[d]] for x, y in ((z, others.z), (e, others.e)))
+        return Apart(others.local, z, slow.up + others.up, e, [], [])
 
 
 def alone(sizes: Sequence[Any], slope: Any) -> Any:
@@ -1442,7 +1536,7 @@ def alone(sizes: Sequence[Any], slope: Any) -> Any:
         if image < e:
             return image.upper()
         e = (image * 1.6).upper()
-    raise Refused("p-roots are not told apart: the piece is too long")
+    raise Refused(APART)
 
 
 def min_bound(x: Any, y: Any) -> Any:
@@ -1639,7 +1733,7 @@ def diagonal(a: Any) -> Iterator[Any]:
 
 @dataclass(repr=False, eq=False)
 class Mark:
-    """A point of a path, and a splitting whose disc holds it; the thin one there once it is needed.
+    """A point of a path, and the pair or p-roots of a disc that holds it; p-roots at the point once they are needed.
 
     known: None at q = 0 where waves come to P = 0 there. matrices: a pole, and those of `Walker.over` for it.
     """
@@ -1649,8 +1743,13 @@ class Mark:
     thin: Any = None
     matrices: tuple[Any, list[Any]] = (None, [])
 
+    @cached_property
+    def sigma(self) -> Any:
+        return at_q(self.q)
+
 
 JOIN = "the splitting does not join on to its neighbour's"
+BATCH = 16  # of how many pieces the kernels are taken at once
 
 
 @dataclass(repr=False, eq=False)
@@ -1667,29 +1766,27 @@ class Walker:
         self.work += units
         require(self.work < MAX_WORK, "the certificate asks for more work than this verifier does")
 
-    def at(self, sigma: Any, known: Known) -> Split:
-        """The thin splitting at a point, from numbers near its nodes."""
-        return split_near(self.waves.near(Place.disc(sigma, ZERO)), known)
+    def near(self, sigma: Any) -> Local:
+        return self.waves.near(Place.disc(sigma, ZERO))
 
     def begin(self, depth: Any) -> None:
         """The pair at q = −i·depth is (roots with Re P < 0, the others): each root in a disc on its side."""
-        split, at = nodes_near(self.waves.near(Place.disc(acb(arb(depth)), ZERO))).split(), (fmpq(0), -depth)
+        at = (fmpq(0), -depth)
+        split = nodes_near(self.near(at_q(at))).split()
         require(sided(split), REAL)
-        self.marks[at] = Mark(at, split, split)
+        self.marks[at] = Mark(at, split)
 
-    def thin(self, mark: Mark) -> Split:
-        """The thin splitting at a mark, of the pair that is known there."""
+    def thin(self, mark: Mark) -> Apart:
+        """The p-roots at a mark, those of the pair that is known there."""
         if mark.thin is None:
-            sigma = at_q(mark.q)
-            split: Split = self.at(sigma, mark.known.near(sigma))
-            require(mark.known.links(split, sigma), JOIN)
-            mark.thin = split
+            found = apart_near(self.near(mark.sigma), mark.known.near(mark.sigma))
+            require(mark.known.holds(found), JOIN)
+            mark.thin = found
         return mark.thin  # type: ignore[no-any-return]
 
-    def over(self, split: Split, pole: Any) -> list[Forms]:
+    def over(self, place: Place, G: Form, g: Form, pole: Any) -> list[Forms]:
         """Matrices over a place whose determinants have the product Δ̂, up to a constant: next to a branch point,
         where P = pole is nearly double, of Δ̂/g and of g, which have no pole that differs from theirs."""
-        place, (G, g) = split.nodes.local.place, kernels(self.waves, split, pole)
         if pole is None:
             return [self.bordered(place, G)]
         return [self.bordered.beside_pole(place, G, g, pole), ([acb_mat([row]) for row in g.k], arb_mat([g.e]))]
@@ -1697,22 +1794,56 @@ class Walker:
     def matrices(self, mark: Mark, pole: Any) -> list[Any]:
         """Those at a mark."""
         if mark.matrices[0] is not pole or not mark.matrices[1]:
-            mark.matrices = pole, [a for (a,), _ in self.over(self.thin(mark), pole)]
+            (place, *both), *_ = self.kernels([ZERO if mark.known is None else self.thin(mark)], pole)
+            mark.matrices = pole, [a for (a,), _ in self.over(place, *both, pole)]
         return mark.matrices[1]
+
+    def kernels(self, found: Sequence[Any], pole: Any) -> list[tuple[Place, Form, Form]]:
+        """Of p-roots over places, or of radii of discs round q = 0: each place, and `kernels` over it."""
+        apart = [one for one in found if isinstance(one, Apart)]
+        known, out = iter(kernels(self.waves, apart, pole) if apart else ()), []
+        for one in found:
+            if isinstance(one, Apart):
+                out.append((one.local.place, *next(known)))
+            elif self.origin is not None:
+                G = self.origin.kernels(one)
+                out.append((Place.disc(acb(0), one), G, G))
+        return out
 
     def chain(self, kind: str, points: Sequence[Point], pole: Any = None) -> tuple[list[Mark], list[list[Turn]]]:
         """Proves every piece of a path: the marks at its points and, for "turn", the turns of each piece."""
         require(points[0] in self.marks, "a path does not begin where an earlier one ends")
-        marks, turns = [self.marks[points[0]]], []
-        for k, b in enumerate(points[1:]):
-            try:
-                end, turn = self.piece(kind, marks[-1], b, pole)
-            except Refused as error:
-                x, y = (float(arb(c)) for c in points[k])
-                raise Refused(f"piece {k} of a path ({kind}), from q = {x:.6g}{y:+.6g}i: {error}") from None
-            marks.append(end)
-            turns.append(turn)
+        marks, turns = [self.marks[points[0]]], list[list[Turn]]()
+        for first in range(0, len(points) - 1, BATCH):
+            found, told = [], partial(in_piece, kind, points)
+            for k, b in enumerate(points[first + 1 : first + BATCH + 1], first):
+                with told(k):
+                    end, one = self.piece(kind, marks[-1], b)
+                marks.append(end)
+                found.append(one)
+            if kind != "link":
+                turns += self.proved(kind, marks[first:], found, lambda n, k=first, told=told: told(k + n), pole)
         return marks, turns
+
+    def proved(
+        self, kind: str, marks: Sequence[Mark], found: Sequence[Any], told: Callable[[int], Any], pole: Any
+    ) -> list[list[Turn]]:
+        """What `kind` asks of pieces between marks; for "turn" the turns of each."""
+        turns = []
+        try:
+            known = self.kernels(found, pole)
+        except Refused:  # of which piece?
+            known = []
+            for k, one in enumerate(found):
+                with told(k):
+                    known += self.kernels([one], pole)
+        for k, (place, G, g) in enumerate(known):
+            with told(k):
+                if kind == "turn":
+                    turns.append([Turn.over(part, place) for part in self.over(place, G, g, pole)])
+                else:
+                    self.passive(place, (marks[k + 1].sigma - marks[k].sigma) / (2 * place.half[0]), G)
+        return turns
 
     def path(self, path: Path) -> Any:
         """Proves every piece; the change of arg Δ̂ along the path, for "turn"."""
@@ -1732,63 +1863,72 @@ class Walker:
         marks, turns = self.chain("turn", loop.points, pole)
         first, last, back = marks[0], marks[-1], loop.back
         self.marks[loop.points[back]] = marks[back]
-        m = at_q(first.q)  # a disc round the point, small beside the way to the branch point
-        local = self.waves.near(Place.disc(m, (abs(m) * arb(loop.radius / loop.centre) / 64).upper()))
-        split = self.thin(first)
-        about = Nodes(split.nodes.z, split.nodes.up, local).split()
-        same = about.links(split, m) and about.links(self.thin(last), m)
+        same = self.thin(first).holds(self.thin(last))
         require(same, "a loop does not come back to the splitting that it began with")
         return self.turned(marks, turns, pole), self.turned(marks[: back + 1], turns[:back], pole)
 
-    def piece(self, kind: str, mark: Mark, b: Point, pole: Any = None) -> tuple[Mark, list[Turn]]:
-        """From a mark to b: the disc over both, its splitting linked with the one before, and what `kind` asks."""
+    def piece(self, kind: str, mark: Mark, b: Point) -> tuple[Mark, Any]:
+        """From a mark to b: what is known at b, and over the disc over both, linked with what was known before."""
         n, size = self.waves.track.degree, self.bordered.size
         self.pieces += 1
         self.spend(60 * n**2 + (0 if kind == "link" else 12 * n * len(self.waves.gaps) + 100 * n**2 + size**3 / 3))
-        a = mark.q
-        require(a != b, "two points of a path are the same")
-        if self.origin is not None and (0, 0) in (a, b):
-            return self.piece_at_origin(self.origin, kind, mark, b)
-        m = at_q(((a[0] + b[0]) / 2, (a[1] + b[1]) / 2))
-        half = at_q(((b[0] - a[0]) / 2, (b[1] - a[1]) / 2))
-        r = (abs(half) * arb(1 + 2.0**-12)).upper()
-        local = self.waves.near(Place.disc(m, r))
-        before = at_q(a)
-        disc = split_near(local, mark.known.near(m))
-        require(disc.links(mark.known, before) or disc.links(self.thin(mark), before), JOIN)
-        end = Mark(b, disc)
-        if kind == "turn":
-            return end, [Turn.over(part, local.place) for part in self.over(disc, pole)]
-        if kind == "passive":
-            self.passive(local.place, half / r, kernels(self.waves, disc)[0])
-        return end, []
+        require(mark.q != b, "two points of a path are the same")
+        end = Mark(b, None)
+        if self.origin is not None and (0, 0) in (mark.q, b):
+            return end, self.at_origin(self.origin, kind, mark, end)
+        m = (mark.sigma + end.sigma) / 2
+        local = self.waves.near(Place.disc(m, wide(end.sigma - m)))
+        end.known = (split_near if kind == "link" else apart_near)(local, mark.known.near(m))
+        require(self.joins(mark, end.known), JOIN)
+        return end, end.known
+
+    def joins(self, mark: Mark, found: Any) -> bool:
+        """Whether the pair, or p-roots, of a disc with the mark in it are what is known there."""
+        known, at = mark.known, mark.sigma
+        if isinstance(found, Apart):
+            return known.holds(found) or found.holds(self.thin(mark))
+        if isinstance(known, Apart):
+            return bool(found.holds(self.thin(mark)))
+        if found.links(known, at):
+            return True
+        thin = split_near(self.near(at), known.near(at))
+        return bool(known.links(thin, at) and found.links(thin, at))
 
     @cached_property
     def origin(self) -> Origin | None:
         """What stands for a splitting at q = 0 where D has no terms of first order."""
         return Origin(self.waves) if min(i + j for i, j in self.waves.track.d) > 1 else None
 
-    def piece_at_origin(self, origin: Origin, kind: str, mark: Mark, b: Point) -> tuple[Mark, list[Turn]]:
-        """From a mark to b, one of them q = 0: the disc round 0 that holds the other."""
+    def at_origin(self, origin: Origin, kind: str, mark: Mark, end: Mark) -> Any:
+        """A piece with one end at q = 0: the radius of a disc round 0 that holds the other."""
         require(kind != "passive", "a passive piece ends at q = 0, where waves come to P = 0")
-        out, other = (b != (0, 0)), at_q(b if b != (0, 0) else mark.q)
-        r = (abs(other) * arb(1 + 2.0**-12)).upper()
-        split = self.at(other, origin.near(other)) if out else self.thin(mark)
-        end = Mark(b, split, split) if out else Mark(b, None)
-        require(origin.links(split, r), "the splitting does not join on to q = 0")
-        if kind == "link":
-            return end, []
-        for one in (mark, end):
-            if one.known is None and not one.matrices[1]:
-                one.matrices = None, list(self.bordered(Place.disc(acb(0), ZERO), origin.kernels(ZERO))[0])
-        place = Place.disc(acb(0), r)
-        return end, [Turn.over(self.bordered(place, origin.kernels(r)), place)]
+        other = mark if end.q == (0, 0) else end
+        if other is end:
+            end.known = end.thin = apart_near(self.near(end.sigma), origin.at(end.sigma, ZERO).known)
+        r = wide(other.sigma)
+        require(origin.at(other.sigma, r).holds(self.thin(other)), "the splitting does not join on to q = 0")
+        return r
 
     def passive(self, place: Place, direction: Any, G: Form) -> None:
         """The Hermitian part of V = σ(G_ij), over the places, is positive definite on u = direction·(−1 … 1)."""
         V = place.power(0, 1).take([0] * len(G.e)) * G
         fine = definite(*hermitian(V, self.waves.between, [acb(1), direction]))
         require(fine, "the receptance is not proved passive on it: it is too long, or not passive")
+
+
+@contextmanager
+def in_piece(kind: str, points: Sequence[Point], k: int) -> Iterator[None]:
+    """A refusal says in which piece of a path it was."""
+    try:
+        yield
+    except Refused as error:
+        x, y = (float(arb(c)) for c in points[k])
+        raise Refused(f"piece {k} of a path ({kind}), from q = {x:.6g}{y:+.6g}i: {error}") from None
+
+
+def wide(half: Any) -> Any:
+    """The radius of the disc of a piece whose middle is so far from its ends."""
+    return (abs(half) * arb(1 + 2.0**-12)).upper()
 
 
 def hermitian(F: Form, index: Sequence[Sequence[int]], turns: Sequence[Any]) -> Forms:
@@ -2232,16 +2372,16 @@ def closing(walker: Walker, mark: Mark) -> Any:
 
     The more contacts, the more digits elimination loses: G is taken with as many as leave the sum sharp.
     """
-    sigma, b, split = at_q(mark.q), walker.bordered, walker.thin(mark)
-    bits, sharper = flint.ctx.prec, split
+    b, found, bits = walker.bordered, walker.thin(mark), flint.ctx.prec
+    sharper = found
     for more in (1, 2, 4, 8, 16):
         with precision(bits * more):
-            waves = Waves(walker.waves.track, b.vehicle.places)
+            waves, sigma = Waves(walker.waves.track, b.vehicle.places), at_q(mark.q)
             try:
                 if more > 1:
-                    sharper = split_near(waves.near(Place.disc(at_q(mark.q), ZERO)), split.near(sigma))
-                    require(split.links(sharper, sigma), "sharper p-roots are not those of the mark")
-                total = turn_of(acb_mat(accretive(b, at_q(mark.q), kernels(waves, sharper)[0].k[0])))
+                    sharper = apart_near(waves.near(Place.disc(sigma, ZERO)), found.near(sigma))
+                    require(found.holds(sharper), "sharper p-roots are not those of the mark")
+                total = turn_of(acb_mat(accretive(b, sigma, kernels(waves, [sharper])[0][0].k[0])))
             except Refused:
                 continue
             if total.is_finite() and total.rad() < 0.1:
@@ -2460,25 +2600,24 @@ def far_waves(d: Sums, r: Any) -> list[Any]:
     for i, (middle, e) in enumerate([*steps, *arcs]):
         center, e = middle.mid(), e.upper() + (middle - middle.mid()).abs_upper()
         here = Local(Place.disc(center, e), d, Sums.of([{(0,): arb(1)}]))
-        split = split_near(here, ([x for x, _ in before], 2))
-        radii = [x for side in split.nodes.side for x in (split.isolated(side))]
-        now = list(zip(split.nodes.z, radii, strict=True))
+        found = apart_near(here, ([x for x, _ in before], 2))
+        now = list(zip(found.z, found.e, strict=True))
         touch = [[not abs(x - y) > d + f for y, f in before] for x, d in now]
         require(touch == [[i == j for j in range(4)] for i in range(4)], "p-roots far out are not followed")
         before = now
         if i < len(steps):
             continue
-        waves, weight = residues(here, split.nodes.z, radii)
+        waves, weight = residues([found], range(4))
         weight = weight.scaled([acb(1), acb(1), acb(-1), acb(-1)])
         one, two, turn = weight.take([0, 1]), weight.take([3, 2]), (corner[3], corner[2])  # U: a, e; L: c, f
-        found = [
+        known = [
             departs(weight.take([0, 3]) + weight.take([1, 2]), [arb(fmpq(1, 8)).sqrt()] * 2),
             16 * departs(one * two, [u * u / 16 for u in turn]),
             4 * departs(one + two, [u / 2 for u in turn]),
             departs(waves, corner),
             max_bound(*weight.size),
         ]
-        bounds = [max_bound(x, y) for x, y in zip(bounds, found, strict=True)]
+        bounds = [max_bound(x, y) for x, y in zip(bounds, known, strict=True)]
     return bounds
 
 
@@ -2764,9 +2903,9 @@ def check_root(track: Track, vehicle: Bodies, root: Root, walker: Walker) -> Non
     with precision(bits):
         waves = Waves(track, vehicle.places)
         place = Place.disc(at_q(root.z), arb(root.radius).upper())
-        disc = nodes_near(waves.near(place)).split()
-        require(sided(disc), REAL)
-        check_zeros(Bordered(vehicle, waves)(place, kernels(waves, disc)[0]), m)
+        found = Apart.of(local := waves.near(place), *sorted_roots(local))
+        require(found.sided, REAL)
+        check_zeros(Bordered(vehicle, waves)(place, kernels(waves, [found])[0][0]), m)
 
 
 def check_zeros(A: Forms, m: int) -> None:

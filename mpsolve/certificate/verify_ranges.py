@@ -299,7 +299,9 @@ def kernels_over(waves: Waves, place: Place, throughout: bool) -> Form:
     try:
         found = alone(nodes, used, throughout) if throughout or nodes.up == waves.up else None
         if found is not None:
-            return spectra.summed(waves, place, *found, [[k for k in side if k in used] for side in nodes.side])[0]
+            return spectra.summed(waves, [place], *found, [[k for k in side if k in used] for side in nodes.side])[0][
+                0
+            ]
     except Refused:
         pass
     return receptances(waves, split_over(waves, place, throughout, nodes))
@@ -337,7 +339,7 @@ def on_circle(split: Split, N: Form, distances: Form, middle: Any, radius: Any, 
     nodes = split.nodes
     gaps = [abs(middle - z) - radius for z in nodes.z]
     fine = all(gap < 0 if k in inside else gap > 0 for k, gap in enumerate(gaps))
-    low, far = nodes.least, abs(middle) + radius
+    low, far = nodes.local.lead, abs(middle) + radius
     for gap in gaps:
         low = low * abs(gap)
     for here in nodes.side:
