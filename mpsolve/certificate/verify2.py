@@ -1794,8 +1794,8 @@ class Walker:
     def matrices(self, mark: Mark, pole: Any) -> list[Any]:
         """Those at a mark."""
         if mark.matrices[0] is not pole or not mark.matrices[1]:
-            (place, *both), *_ = self.kernels([ZERO if mark.known is None else self.thin(mark)], pole)
-            mark.matrices = pole, [a for (a,), _ in self.over(place, *both, pole)]
+            ((place, G, g),) = self.kernels([ZERO if mark.known is None else self.thin(mark)], pole)
+            mark.matrices = pole, [a for (a,), _ in self.over(place, G, g, pole)]
         return mark.matrices[1]
 
     def kernels(self, found: Sequence[Any], pole: Any) -> list[tuple[Place, Form, Form]]:
@@ -1813,37 +1813,35 @@ class Walker:
     def chain(self, kind: str, points: Sequence[Point], pole: Any = None) -> tuple[list[Mark], list[list[Turn]]]:
         """Proves every piece of a path: the marks at its points and, for "turn", the turns of each piece."""
         require(points[0] in self.marks, "a path does not begin where an earlier one ends")
-        marks, turns = [self.marks[points[0]]], list[list[Turn]]()
+        marks, turns, told = [self.marks[points[0]]], list[list[Turn]](), partial(in_piece, kind, points)
         for first in range(0, len(points) - 1, BATCH):
-            found, told = [], partial(in_piece, kind, points)
+            found = {}
             for k, b in enumerate(points[first + 1 : first + BATCH + 1], first):
                 with told(k):
-                    end, one = self.piece(kind, marks[-1], b)
+                    end, found[k] = self.piece(kind, marks[-1], b)
                 marks.append(end)
-                found.append(one)
-            if kind != "link":
-                turns += self.proved(kind, marks[first:], found, lambda n, k=first, told=told: told(k + n), pole)
+            if kind == "link":
+                continue
+            for k, (place, G, g) in zip(found, self.told_kernels(found, pole, told), strict=True):
+                with told(k):
+                    if kind == "turn":
+                        turns.append([Turn.over(part, place) for part in self.over(place, G, g, pole)])
+                    else:
+                        self.passive(place, (marks[k + 1].sigma - marks[k].sigma) / (2 * place.half[0]), G)
         return marks, turns
 
-    def proved(
-        self, kind: str, marks: Sequence[Mark], found: Sequence[Any], told: Callable[[int], Any], pole: Any
-    ) -> list[list[Turn]]:
-        """What `kind` asks of pieces between marks; for "turn" the turns of each."""
-        turns = []
+    def told_kernels(
+        self, found: dict[int, Any], pole: Any, told: Callable[[int], Any]
+    ) -> list[tuple[Place, Form, Form]]:
+        """`kernels`; a refusal says of which piece."""
         try:
-            known = self.kernels(found, pole)
-        except Refused:  # of which piece?
-            known = []
-            for k, one in enumerate(found):
+            return self.kernels(list(found.values()), pole)
+        except Refused:
+            out = []
+            for k, one in found.items():
                 with told(k):
-                    known += self.kernels([one], pole)
-        for k, (place, G, g) in enumerate(known):
-            with told(k):
-                if kind == "turn":
-                    turns.append([Turn.over(part, place) for part in self.over(place, G, g, pole)])
-                else:
-                    self.passive(place, (marks[k + 1].sigma - marks[k].sigma) / (2 * place.half[0]), G)
-        return turns
+                    out += self.kernels([one], pole)
+            return out
 
     def path(self, path: Path) -> Any:
         """Proves every piece; the change of arg Δ̂ along the path, for "turn"."""
@@ -2903,7 +2901,8 @@ def check_root(track: Track, vehicle: Bodies, root: Root, walker: Walker) -> Non
     with precision(bits):
         waves = Waves(track, vehicle.places)
         place = Place.disc(at_q(root.z), arb(root.radius).upper())
-        found = Apart.of(local := waves.near(place), *sorted_roots(local))
+        local = waves.near(place)
+        found = Apart.of(local, *sorted_roots(local))
         require(found.sided, REAL)
         check_zeros(Bordered(vehicle, waves)(place, kernels(waves, [found])[0][0]), m)
 
