@@ -1267,16 +1267,15 @@ APART = "p-roots are not told apart: the piece is too long"
 
 def isolated(k: int, w: Sequence[Any], gaps: Sequence[Any]) -> Any:
     """e with w_k/e + Σ_{j ≠ k} w_j/(gap_j − e) < 1: exactly one root in |P − z_k| < e, and it has |P − z_k| ≤ e."""
-    e = w[k]
+    e, others = w[k].upper(), [(y, gap) for j, (y, gap) in enumerate(zip(w, gaps, strict=True)) if j != k]
     for _ in range(8):
-        e = (e * 1.02).upper()
-        away = [gap - e for gap in gaps]
-        require(all(x > 0 for j, x in enumerate(away) if j != k), APART)
-        left = 1 - sum((w[j] / x for j, x in enumerate(away) if j != k), ZERO)
+        away = [gap - e for _, gap in others]
+        require(all(x > 0 for x in away), APART)
+        left = 1 - sum([y / x for (y, _), x in zip(others, away, strict=True)], ZERO)
         require(left > 0, APART)
         if w[k] < e * left or w[k].is_zero():
             return e
-        e = w[k] / left
+        e = (w[k] / left * 1.02).upper()
     raise Refused(APART)
 
 
@@ -1341,7 +1340,7 @@ def newton(D: Sequence[acb], z: Sequence[acb]) -> list[acb] | None:
         try:
             c = [complex(x) for x in reversed(D)]
             first = [complex(x) for x in z]
-            near = [in_floats(c, x, 1e-9 * max(map(abs, first))) for x in first]
+            near = [in_floats(c, x, 1e-7 * max(map(abs, first))) for x in first]
             return [acb(x) for x in near if x is not None] if None not in near else None
         except (OverflowError, ZeroDivisionError):
             pass
@@ -1607,6 +1606,9 @@ class Bordered:
         total = sum(map(products.take, self.layers[1:]), products.take(self.layers[0]))
         A, E = [acb_mat(self.size, self.size, row) for row in total.k], arb_mat(self.size, self.size, total.e)
         for e, a, size in self.constant:
+            if not any(e):
+                A[0] = A[0] + a
+                continue
             f = place.monomial(e)
             A = [x if y[0].is_zero() else x + a * y[0] for x, y in zip(A, f.k, strict=True)]
             E = E + size * f.e[0]
@@ -2008,7 +2010,7 @@ def turned_one(marks: Sequence[Mark], turns: Sequence[Turn], matrix: Callable[[M
     while i < last:
         about, lost, j = arb(0), turns[i].lost, i
         while j < last and lost + turns[j + 1].lost < 3:
-            at = at_q(marks[j + 1].q)
+            at = marks[j + 1].sigma
             about += turns[j].near(at) - turns[j + 1].near(at)
             j += 1
             lost += 2 * turns[j].lost

@@ -681,7 +681,7 @@ def _pieces(parts):
         s = 1j * float(mark.q[0])
         return acb_mat((A + B * s + C * s * s).tolist())
 
-    marks = [SimpleNamespace(q=(fmpq(*float(x).as_integer_ratio()), fmpq(0))) for x in points]
+    marks = [v2.Mark((fmpq(*float(x).as_integer_ratio()), fmpq(0)), None) for x in points]
     return marks, turns, SimpleNamespace(matrix=matrix, asked=asked)
 
 
