@@ -44,7 +44,7 @@ def close(boxes: Boxes, row: Row, effort: Effort) -> Closed:
     guide = row.reduced.guide
     if not vanishes(guide.D, guide.N, guide.v):
         raise PrecisionError("the receptance is not proved to vanish at infinity")
-    tail = prove_tail(guide, row.gap)
+    tail = prove_tail(guide, row.gap, effort)
     if tail is None:
         fast = overtakes(Absorption.of(guide), guide.v)
         why = "the contacts run faster than short waves of the track" if fast else "the track is damped too little"

@@ -49,7 +49,7 @@ def plan_beyond(paths: Paths, effort: Effort, least: float = 0.0) -> Beyond | st
     guide = arrays.reduced.guide
     if not vanishes(guide.D, guide.N, guide.v):
         return "the receptance is not proved to vanish at infinity"
-    tail = prove_tail(guide, arrays.reduced.smallest_gap)
+    tail = prove_tail(guide, arrays.reduced.smallest_gap, effort)
     if tail is None:
         return _NO_TAIL[overtakes(Absorption.of(guide), guide.v)]
     reason, passive = "", partial(_least, arrays, paths.up)

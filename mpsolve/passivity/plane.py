@@ -7,6 +7,7 @@ import numpy as np
 from mpsolve.characteristic.table import Table
 from mpsolve.numbers.arrays import Reals, Truths
 from mpsolve.numbers.jets import UP, U
+from mpsolve.proof.effort import Effort
 from mpsolve.tracks.waveguide import Polynomial
 
 _SPLIT = 80  # halvings of a box at most
@@ -20,16 +21,18 @@ def supremum(
     bottom: Polynomial,
     box: tuple[tuple[float, float], tuple[float, float]],
     product: float,
+    effort: Effort,
     least_bound: float = 0.0,
 ) -> float | None:
     """A bound ≥ least_bound of |top|/bottom on the box where x y ≤ product, by branch and bound.
 
-    None if bottom may vanish.
+    None if bottom may vanish. effort: its time ends the search.
     """
     above, below = Table.of(top), Table.of(bottom)
     boxes, tried = _grid(*box, 8, 4), 0
     known, proved = least_bound / 1.5, least_bound
     for _ in range(_SPLIT):
+        effort.spend(0)
         boxes = clipped(boxes, product)
         low, high, _ = bounds(above, boxes)
         least, most, by_x = bounds(below, boxes)
@@ -50,11 +53,12 @@ def supremum(
     return None
 
 
-def negative(polynomial: Polynomial, box: tuple[tuple[float, float], tuple[float, float]]) -> bool:
-    """True if the polynomial is proved negative on the box, by halving boxes."""
+def negative(polynomial: Polynomial, box: tuple[tuple[float, float], tuple[float, float]], effort: Effort) -> bool:
+    """True if the polynomial is proved negative on the box, by halving boxes. effort: its time ends the search."""
     table = Table.of(polynomial)
     boxes, tried = _grid(*box, 8, 4), 0
     for _ in range(_SPLIT):
+        effort.spend(0)
         low, high, by_x = bounds(table, boxes)
         if (low > 0).any():
             return False

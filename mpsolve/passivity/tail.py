@@ -25,6 +25,7 @@ from mpsolve.passivity.decay import edges
 from mpsolve.passivity.plane import negative, supremum
 from mpsolve.passivity.taking import Search, ratio
 from mpsolve.problem.reduced import Guide
+from mpsolve.proof.effort import Effort
 from mpsolve.tracks.waveguide import Polynomial, scaled
 
 _RATIO = 1.3  # of one X to the next that is tried
@@ -52,11 +53,13 @@ class Tail:
 _KNOWN: dict[Any, Tail | None] = {}
 
 
-def prove_tail(guide: Guide, gap: Fraction | None, least: float = 1.0, most: float = 1e9) -> Tail | None:
+def prove_tail(
+    guide: Guide, gap: Fraction | None, effort: Effort | None = None, least: float = 1.0, most: float = 1e9
+) -> Tail | None:
     """A tail theorem with X as small as is found quickly; None where there is none (faster than the track's waves).
 
     Floats propose X and the blocks; what is returned has been proved. The last answer is kept: one question about
-    several vehicles asks for it again and again.
+    several vehicles asks for it again and again. EffortError where the time of `effort` is over.
     """
     told = (
         *(frozenset(p.items()) for p in (guide.D, guide.N, guide.D_rest, guide.N_rest)),
@@ -66,7 +69,7 @@ def prove_tail(guide: Guide, gap: Fraction | None, least: float = 1.0, most: flo
         most,
     )
     if told not in _KNOWN:
-        found = _proved_tail(guide, gap, least, most)
+        found = _proved_tail(guide, gap, effort or Effort(), least, most)
         _KNOWN.clear()
         _KNOWN[told] = found
     return _KNOWN[told]
@@ -77,7 +80,7 @@ def forget() -> None:
     _KNOWN.clear()
 
 
-def _proved_tail(guide: Guide, gap: Fraction | None, least: float, most: float) -> Tail | None:
+def _proved_tail(guide: Guide, gap: Fraction | None, effort: Effort, least: float, most: float) -> Tail | None:
     absorption = Absorption.of(guide)
     if not absorption.W or not guide.v or overtakes(absorption, guide.v):
         return None
@@ -91,12 +94,12 @@ def _proved_tail(guide: Guide, gap: Fraction | None, least: float, most: float) 
         plan = _plan(absorption, guide, searches, gap, X, C)
         if plan is not None and C is None:
             tries += 1
-            C = _envelope(absorption, guide.v, plan)  # for this X and all larger ones
+            C = _envelope(absorption, guide.v, plan, effort)  # for this X and all larger ones
             plan = None if C is None else _plan(absorption, guide, searches, gap, X, C)
             X *= 1 if C is not None else _RATIO
         if plan is not None:
             tries += 1
-            tail = _prove(absorption, guide.v, gap, plan)
+            tail = _prove(absorption, guide.v, gap, plan, effort)
             if tail is not None:
                 return tail
         X *= _RATIO if plan is None else _RATIO**2
@@ -122,14 +125,15 @@ def _plan(
     return None if best is None else best[1]
 
 
-def _prove(absorption: Absorption, v: Fraction, gap: Fraction | None, plan: Tail) -> Tail | None:
+def _prove(absorption: Absorption, v: Fraction, gap: Fraction | None, plan: Tail, effort: Effort) -> Tail | None:
     """The plan with those of its blocks, or of their halves, that are proved, if they outweigh."""
     length = 2 * np.pi / float(gap) / plan.X ** float(plan.gamma) if gap is not None else 0.0
     proved: list[tuple[float, float, float]] = []
     waiting = [(block, 0) for block in plan.blocks]
     while waiting:
         (z1, z2, kappa), depth = waiting.pop()
-        held = next((x for x in _SHARES if block_holds(absorption, v, _with(plan, z1, z2, x * kappa / 0.9))), None)
+        tried = ((x, _with(plan, z1, z2, x * kappa / 0.9)) for x in _SHARES)
+        held = next((x for x, tail in tried if block_holds(absorption, v, tail, effort)), None)
         if held is not None:
             proved.append((z1, z2, held * kappa))
         elif depth < _HALVINGS:
@@ -181,7 +185,7 @@ def outweighs(tail: Tail, v: Fraction, gap: Fraction | None) -> bool:
         return bool(absorbed > given)
 
 
-def block_holds(absorption: Absorption, v: Fraction, tail: Tail) -> bool:
+def block_holds(absorption: Absorption, v: Fraction, tail: Tail, effort: Effort) -> bool:
     """(a): W/|D|² ≥ κ q^{−e} for p = z q^γ, z₁ ≤ z ≤ z₂, q ≥ X, where q − vp > 0, on each block."""
     k, m = tail.gamma.numerator, tail.gamma.denominator
     with precision(64):
@@ -197,15 +201,16 @@ def block_holds(absorption: Absorption, v: Fraction, tail: Tail) -> bool:
     W, D2 = (in_block(a, k, m) for a in absorption.moving)
     rest = scaled(W, Fraction(-1))
     return all(
-        negative(plus(scaled(D2, Fraction(kappa)), rest), ((z1, z2), (0.0, tau))) for z1, z2, kappa in tail.blocks
+        negative(plus(scaled(D2, Fraction(kappa)), rest), ((z1, z2), (0.0, tau)), effort)
+        for z1, z2, kappa in tail.blocks
     )  # κ |D|² − W < 0 on each box
 
 
-def _envelope(absorption: Absorption, v: Fraction, tail: Tail) -> float | None:
+def _envelope(absorption: Absorption, v: Fraction, tail: Tail, effort: Effort) -> float | None:
     """(b): C with |W| p^α ≤ C |D|² for p ≥ X/v, −vp ≤ Ω ≤ 0, on two charts; None where it is not bounded."""
     known = 0.0
     for top, bottom, box, product in envelope_charts(absorption, v, tail):
-        found = supremum(top, bottom, box, product, known)
+        found = supremum(top, bottom, box, product, effort, known)
         if found is None:
             return None
         known = found

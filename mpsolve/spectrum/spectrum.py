@@ -53,7 +53,7 @@ class Root(Portable):
     def doubling_time(self) -> Any:
         """ln 2/|Im q|: the time in which the vibration doubles, or halves where it decays; infinite for Im q = 0."""
         with precision(self._bits):
-            return arb(2).log() / abs(self.q.imag)
+            return arb(2).log() / abs(self.q.imag) if not self.q.imag.is_zero() else arb.pos_inf()
 
     @property
     def shape(self) -> Shape:

@@ -10,23 +10,24 @@ from hypothesis import strategies as st
 from mpsolve.characteristic.table import Table
 from mpsolve.numbers.jets import UP
 from mpsolve.passivity.plane import bounds, clipped, negative, supremum
+from mpsolve.proof.effort import Effort
 
 
 def test_where_the_bottom_vanishes_there_is_no_bound() -> None:
     circle = {(2, 0): Fraction(1), (0, 2): Fraction(1), (0, 0): Fraction(-1)}
     one = {(0, 0): Fraction(1)}
-    assert supremum(one, circle, ((0.0, 2.0), (0.0, 2.0)), 9.0) is None
-    assert supremum(one, circle, ((0.0, 0.5), (0.0, 0.5)), 9.0) is None  # negative there
+    assert supremum(one, circle, ((0.0, 2.0), (0.0, 2.0)), 9.0, Effort()) is None
+    assert supremum(one, circle, ((0.0, 0.5), (0.0, 0.5)), 9.0, Effort()) is None  # negative there
     away = {(2, 0): Fraction(1), (0, 2): Fraction(1), (0, 0): Fraction(1, 4)}
-    found = supremum(one, away, ((0.0, 2.0), (0.0, 2.0)), 1.0)
+    found = supremum(one, away, ((0.0, 2.0), (0.0, 2.0)), 1.0, Effort())
     assert found is not None
     assert 4 <= found < 6.1
 
 
 def test_a_touching_polynomial_is_notnegative() -> None:
     touching = {(2, 0): Fraction(-1), (1, 1): Fraction(2), (0, 2): Fraction(-1)}
-    assert not negative(touching, ((0.0, 1.0), (0.0, 1.0)))
-    assert negative({**touching, (0, 0): Fraction(-1, 1000)}, ((0.0, 1.0), (0.0, 1.0)))
+    assert not negative(touching, ((0.0, 1.0), (0.0, 1.0)), Effort())
+    assert negative({**touching, (0, 0): Fraction(-1, 1000)}, ((0.0, 1.0), (0.0, 1.0)), Effort())
 
 
 SIDE = st.tuples(st.floats(0, 4), st.floats(0, 4)).map(sorted)

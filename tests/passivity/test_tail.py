@@ -4,16 +4,23 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
+from time import process_time
 from typing import Any
 
 import numpy as np
 import pytest
+import sympy
 from oracle_general import Floats
 from oracle_general.package import as_problem
 
+from mpsolve.errors import EffortError
 from mpsolve.passivity.absorption import Absorption
 from mpsolve.passivity.tail import Tail, _envelope, block_holds, outweighs, prove_tail
+from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import reduce_problem
+from mpsolve.proof.effort import Effort
+from mpsolve.tracks.own import Waveguide
+from mpsolve.vehicles import Mass
 
 RAIL = {"model": "euler-bernoulli", "EI": "6.38e6", "m": "60.2", "k": "1e6", "c": "770"}
 TRACKS = {
@@ -113,12 +120,12 @@ def test_a_bound_that_is_too_good_is_not_proved(name: str) -> None:
     reduced, absorption, tail = proved(name)
     v, gap = reduced.guide.v, reduced.smallest_gap
     assert outweighs(tail, v, gap)
-    assert block_holds(absorption, v, tail)
+    assert block_holds(absorption, v, tail, Effort())
     dear = replace(tail, blocks=tuple((a, b, 3 * kappa) for a, b, kappa in tail.blocks))
-    assert not block_holds(absorption, v, dear)
+    assert not block_holds(absorption, v, dear, Effort())
     far = 1.01 / float(v) * tail.X ** float(1 - tail.gamma)
-    assert not block_holds(absorption, v, replace(tail, blocks=((tail.blocks[0][0], far, 1e-30),)))
-    assert not block_holds(absorption, v, replace(tail, e=tail.e + 1))
+    assert not block_holds(absorption, v, replace(tail, blocks=((tail.blocks[0][0], far, 1e-30),)), Effort())
+    assert not block_holds(absorption, v, replace(tail, e=tail.e + 1), Effort())
     assert not outweighs(replace(tail, C=1e6 * tail.C), v, gap)
     assert not outweighs(replace(tail, alpha=1), v, gap)
     assert not outweighs(replace(tail, e=tail.e + 9), v, gap)
@@ -132,7 +139,7 @@ def test_a_bound_that_is_too_good_is_not_proved(name: str) -> None:
 def test_the_envelope_is_near_what_is_given() -> None:
     for name in ("euler-bernoulli", "timoshenko", "ballast damped lightly"):
         reduced, absorption, tail = proved(name)
-        C = _envelope(absorption, reduced.guide.v, tail)
+        C = _envelope(absorption, reduced.guide.v, tail, Effort())
         assert C is not None
         assert C < tail.C < 2 * C
 
@@ -148,3 +155,19 @@ def test_the_last_theorem_is_kept_for_its_own_track_alone() -> None:
     assert proved("euler-bernoulli")[2] is first
     assert proved("euler-bernoulli", "1.25")[2] != first
     assert proved("euler-bernoulli")[2] == first
+
+
+def test_the_search_ends_with_its_effort() -> None:
+    """Four fields: the whole search takes a quarter of a minute."""
+    p, omega = sympy.symbols("p Omega")
+    rows = [
+        [p**4 / 4 + p**2 + 1 - 3 * omega**2, 0, -sympy.I * p**3 / 9, p**4 / 5],
+        [0, 4 * p**4 + 9 * p**2 + 2 - omega**2, 2 * p**4 + p**2, 0],
+        [sympy.I * p**3 / 9, 2 * p**4 + p**2, 20 * p**4 + 14 * p**2 + 8 + 90 * sympy.I * omega - omega**2 / 40, 0],
+        [p**4 / 5, 0, 0, 2 * p**4 + 13 * p**2 + 1 - 5 * omega**2],
+    ]
+    reduced = reduce_problem(Problem(Waveguide(rows, loaded=1), [Mass(1).at(0), Mass(1).at(1)], v=6))
+    started = process_time()
+    with pytest.raises(EffortError):
+        prove_tail(reduced.guide, reduced.smallest_gap, Effort(seconds=0.5))
+    assert process_time() - started < 8

@@ -36,6 +36,7 @@ def test_frequency_growth_and_times() -> None:
     assert abs(float(one.doubling_time) - math.log(2) / 0.25) < 1e-14
     assert float(root("-3.5", "0.25").frequency) == float(one.frequency)
     assert float(root("3.5", "0.25").growth) == -0.25
+    assert root("3.5", "0").doubling_time > 10**300  # a frequency that is exactly real, without damping
 
 
 @pytest.mark.parametrize(
