@@ -11,9 +11,10 @@ from mpsolve.certificate.roots_check import budget_of, checked
 from mpsolve.certificate.roots_file import region_certificate
 from mpsolve.certificate.solve import checked_digits
 from mpsolve.errors import InputError
+from mpsolve.numbers.balls import rational_ball
 from mpsolve.numbers.result import Cost
 from mpsolve.numbers.rootball import Symmetry
-from mpsolve.outcome import Status
+from mpsolve.outcome import Reason, Status
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.zeros.answer import Zero, Zeros
@@ -63,7 +64,7 @@ def roots(
     tell = progress or silent
     turn = slant(declared)
     if turn is None:
-        return _answered(given, region, declared, digits, budget, tell, check)
+        return _within_bound(_answered(given, region, declared, digits, budget, tell, check), region)
     if given.expression is None:
         raise InputError(
             "cuts", "slant, and f cannot be read as an expression: turn z, so that they lie along an axis"
@@ -75,7 +76,22 @@ def roots(
     except InputError as error:
         stated = str(error).removeprefix(f"{error.key}: ")
         raise InputError(error.key, f"{stated}, in the plane of w = z/({complex_words(turn)})") from None
-    return turned_back(answer, given.words, region, there, turn)
+    return _within_bound(turned_back(answer, given.words, region, there, turn), region)
+
+
+def _within_bound(answer: Zeros, region: Region) -> Zeros:
+    """Undecided where a zero of a half-plane is as far off as no zero is to be, by the user's word."""
+    if not isinstance(region, HalfPlane) or answer.count is None:
+        return answer
+    beyond = next((zero for zero in answer.roots if not abs(zero.q) < rational_ball(region.bound)), None)
+    if beyond is None:
+        return answer
+    near = complex(beyond.q)
+    message = f"a zero lies near z = {near:.8g}, where |z| is not below the bound: {bound_words(region)}"
+    place = {"re": repr(near.real), "im": repr(near.imag)}
+    reason = Reason("bound", message, place, "give a larger bound, which holds, or a Rectangle")
+    known = {"counted": answer.count}
+    return replace(answer, status=Status.UNDECIDED, reason=reason, known=known, count=None, certificate=None)
 
 
 def _answered(

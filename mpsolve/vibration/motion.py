@@ -150,7 +150,7 @@ class PreciseVibration:
 
     rail (places, times), the sum of steady, harmonic and transient; vehicle by coordinates; contact_force (n, times).
     error: of the rail and of the forces, relative to the largest of each, by causality and a lower Ω; an estimate.
-    reason: where effort ran out; then all numbers are NaN, and the errors infinite.
+    reason: where effort ran out, all numbers are NaN and the errors infinite; or that the digits are not reached.
     """
 
     times: Any

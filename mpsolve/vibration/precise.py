@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -17,6 +18,7 @@ from mpsolve.certificate.certify import certify
 from mpsolve.errors import EffortError, InputError
 from mpsolve.numbers.model import rational, whole
 from mpsolve.numbers.multiprecision import Multiprecision, Rule
+from mpsolve.outcome import Reason
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
@@ -39,6 +41,8 @@ _GUARD = 25
 _LEAST = 24.0
 _FURTHER = 1.5
 """So much further than needed the line is followed: what the rest changes is the error that is told."""
+_FAR_OFF = 1e3
+"""Of the digits asked for: an error from which on the answer says that they are not reached."""
 
 
 def response_mp(
@@ -54,6 +58,7 @@ def response_mp(
 ) -> PreciseVibration:
     """The motion from rest to `digits` digits (15 to 200) of the largest deflection, in mpmath; a minute at 20.
 
+    Fewer are reached next to a wave front, as on strings: then `reason` says so, and `error` how many.
     problem, loads, places: as for `response`. times > 0, exact numbers: the smallest one sets the work. spectrum: of
     `certify(problem, digits=digits + 25)` at least; without it that is computed. InputError for what cannot be used.
     effort: where it is spent nothing is known, and `reason` says so; evaluations are those of the equations at one σ,
@@ -80,9 +85,17 @@ def response_mp(
         omega = max(_FURTHER * far, _LEAST, 8 * natural(image), 5 * made.fastest, _FURTHER * waves)
         with one_thread():
             line = sampled_line(engine.transformed, path, omega)
-        return made.motion(at, exact, line.panels.middle, line.panels.half, omega)
+        return _judged(made.motion(at, exact, line.panels.middle, line.panels.half, omega), digits)
     except EffortError as error:
         return unknown_precise(image, K.mp, exact, error.reason)
+
+
+def _judged(found: PreciseVibration, digits: int) -> PreciseVibration:
+    error = max(found.error)
+    if error <= _FAR_OFF * 10.0**-digits:
+        return found
+    stated = f"the motion is off by {error:.1e} of itself, not 1e-{digits}, as next to a front that passes a place"
+    return replace(found, reason=Reason("digits", stated, {}, "give times farther from it, or float64's `response`"))
 
 
 def _certified(problem: Problem, digits: int, effort: Effort | None, said: Progress) -> Spectrum:

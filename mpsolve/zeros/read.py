@@ -19,6 +19,7 @@ from mpsolve.zeros.trace import UnreadableError, takes_flag, trace
 
 VOUCHED = "f gives balls that are not finite wherever it may not be analytic"
 FLAGGED = "f passes the flag `analytic` on to every function with a branch cut, and to nothing that is not analytic"
+DERIVED = "derivative gives balls that hold f′"
 
 
 @dataclass(frozen=True)
@@ -114,7 +115,8 @@ def _opaque(f: Any, derivative: Callable[[Any], Any] | None, assume_analytic: bo
     function = CallableFunction((lambda z: f(z, True)) if flagged else f, derivative)
     _require_analytic_at_points(function)
     name = getattr(f, "__name__", "a Python function")
-    return Given(function, None, None, (FLAGGED if flagged else VOUCHED,), f"the Python function {name}")
+    assumed = (FLAGGED if flagged else VOUCHED, *(() if derivative is None else (DERIVED,)))
+    return Given(function, None, None, assumed, f"the Python function {name}")
 
 
 def _require_same(f: Callable[[Any], Any], given: Given) -> None:
@@ -136,7 +138,8 @@ _POINTS = (0.37 + 0.41j, -1.3 + 0.7j, 2.1 - 1.9j, -0.2 - 2.3j, 3.7 + 0.01j, 0.05
 
 
 def _require_analytic_at_points(function: CallableFunction) -> None:
-    """Refuses what is plainly not analytic: its difference quotients depend on their direction. No proof."""
+    """Refuses what is plainly not analytic, as its difference quotients depend on their direction, and a derivative
+    that is plainly another one. No proof."""
     step = arb(2) ** -40
     with precision(160):
         for point in _POINTS:
@@ -145,11 +148,17 @@ def _require_analytic_at_points(function: CallableFunction) -> None:
                 quotients = [
                     (function.value(acb(point) + step * d) - middle) / (step * d) for d in (acb(1), acb(0, 1))
                 ]
+                given = quotients[0] if function.derivative is None else function.slope(acb(point))
             except PrecisionError:
                 continue
-            scale = max(float(abs(q).upper()) for q in quotients)
-            gap = float(abs(quotients[0] - quotients[1]).lower())
-            if gap > 1e-4 * scale and gap > 1e-9:
+            if _differ(*quotients):
                 raise InputError(
                     "f", f"is not analytic near {point:.3g}: its slope there depends on the direction of z"
                 )
+            if _differ(quotients[0], given):
+                raise InputError("derivative", f"is not f′ near {point:.3g}: give that of f, or leave it out")
+
+
+def _differ(one: Any, other: Any) -> bool:
+    scale, gap = max(float(abs(x).upper()) for x in (one, other)), float(abs(one - other).lower())
+    return gap > 1e-4 * scale and gap > 1e-9

@@ -88,7 +88,7 @@ def _near_boundary(place: complex, vertices: Vertices) -> bool:
 
 
 def _overlap(balls: Sequence[RootBall]) -> bool:
-    order = sorted(balls, key=lambda ball: float(ball.q.real.mid()))
+    order = sorted(balls, key=lambda ball: corners_of(ball)[0][0])  # by their left ends, whatever their sizes
     for k, ball in enumerate(order):
         for other in order[k + 1 :]:
             if other.q.real > ball.q.real:

@@ -90,6 +90,22 @@ def test_every_kind_of_region() -> None:
         assert bool(answer.assumed) == isinstance(region, HalfPlane)
 
 
+@pytest.mark.parametrize(
+    ("f", "region", "cuts"),
+    [
+        ("z - (9 + 9*i)/10", HalfPlane("upper", 1), []),  # in the square, |z| = 1.27
+        ("z - (1/10 + i)", HalfPlane("upper", 1), []),  # on its edge
+        ("z - 1", HalfPlane("right", 1), []),  # on the circle
+        ("(z - (9 + 9*i)/10)*(2 + sqrt((4*i - 3)*z))", HalfPlane("right", 1, at="-1/3"), [Cut.ray(0, 3 + 4j)]),
+    ],
+)
+def test_a_zero_beyond_the_bound_of_a_half_plane_belies_the_users_word(f: str, region: HalfPlane, cuts: Any) -> None:
+    answer = roots(f, region, cuts=cuts)
+    assert (answer.status, answer.count, answer.certificate) == (Status.UNDECIDED, None, None)
+    assert answer.reason is not None
+    assert answer.reason.code == "bound"
+
+
 def test_zeros_near_the_boundary_are_told_and_zeros_on_it_move_it() -> None:
     near = roots("sin(z)", Rectangle("-1e-9", 1, -1, 1))
     assert (near.count, near.note) == (1, "")

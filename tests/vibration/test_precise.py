@@ -23,6 +23,7 @@ def test_the_digits_are_those_of_a_more_precise_run_and_of_float64() -> None:
     size = np.abs(more.rail).max()
     assert np.abs(few.rail - more.rail).max() < 1e-14 * size
     assert max(few.error) < 1e-12
+    assert few.reason is None
     assert more.error[0] < 1e-15
     floats = response(BEAM, LOADS, times=[float(t) for t in TIMES], places=[0, "0.5", -3])
     assert np.abs(floats.rail - more.rail.astype(float)).max() < floats.error.rail + 1e-12 * float(size)
@@ -37,6 +38,17 @@ def test_inversion_by_mpmath() -> None:
     truth = Truth(problem, [([1.0], 3.0, 0.0, 0.0, 0.0)], [Fraction(0)])
     known = truth.inverted(0.7, degree=40)
     assert float(found.rail[0, 0]) == pytest.approx(known[-1], rel=1e-9)
+
+
+def test_digits_that_are_not_reached_next_to_a_front_are_told() -> None:
+    """Behind a front on a string, which is smoothed away; float64 follows its line until it is not."""
+    wire = Problem(tracks.String(T="1.6", m="1.4", k=2, c="0.1"), vehicles.Mass("0.001"), v="0.6")
+    near = response_mp(wire, [Load(1)], times=["0.82"], places=["-1.3"], digits=15)
+    floats = response(wire, [Load(1)], times=[0.82], places=["-1.3"]).rail[0, 0]
+    assert abs(float(near.rail[0, 0]) - floats) > 1e-4 * abs(floats)
+    assert near.error[0] > 1e-4
+    assert near.reason is not None
+    assert near.reason.code == "digits"
 
 
 @pytest.mark.parametrize(

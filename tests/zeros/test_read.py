@@ -9,7 +9,7 @@ import sympy
 from flint import acb, arb
 
 from mpsolve.errors import InputError
-from mpsolve.zeros.read import FLAGGED, VOUCHED, read_function
+from mpsolve.zeros.read import DERIVED, FLAGGED, VOUCHED, read_function
 
 
 @pytest.mark.parametrize(
@@ -46,6 +46,16 @@ def test_a_function_of_balls_must_be_vouched_for_or_take_the_flag() -> None:
 def test_what_is_plainly_not_analytic_is_refused_even_where_it_is_vouched_for(f: Any) -> None:
     with pytest.raises(InputError, match="not analytic"):
         read_function(f, None, True)
+
+
+def test_a_derivative_rests_on_the_users_word_and_another_slope_is_refused() -> None:
+    def square(z: Any) -> Any:
+        return acb(z) ** 2 if isinstance(z, acb) else 1 / 0
+
+    assert read_function(square, lambda z: 2 * z, True).assumed == (VOUCHED, DERIVED)
+    for other in (lambda _: acb(1), lambda z: 2 * z + acb("0.01"), lambda z: z):
+        with pytest.raises(InputError, match="derivative: is not f′"):
+            read_function(square, other, True)
 
 
 def test_a_function_that_does_something_else_to_a_symbol_is_refused() -> None:

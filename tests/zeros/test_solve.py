@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import pytest
+from flint import acb, arb
 
+from mpsolve.numbers.rootball import RootBall
 from mpsolve.progress import silent
 from mpsolve.proof.effort import Effort
 from mpsolve.zeros.read import read_function
 from mpsolve.zeros.regions import Disc, Polygon, Rectangle, Region
-from mpsolve.zeros.solve import Solved, solve
+from mpsolve.zeros.solve import Solved, _overlap, solve
 
 
 def solved(text: str, region: Region, evaluations: int = 50_000) -> Solved:
@@ -19,6 +21,14 @@ def test_zeros_outside_a_disc_but_in_its_polygon_are_left_out() -> None:
     found = solved("(z - 0.997175 - 0.098213*i)*(z - 0.9)*exp(z)", Disc(0, 1))
     assert found.count is not None
     assert [len(found.balls), len(found.inside), found.note] == [2, 1, ""]
+
+
+def test_balls_that_meet_are_seen_across_a_small_one_between_them() -> None:
+    wide, small, beside = (
+        RootBall(acb(arb(x, r), y), -20) for x, y, r in ((0, 0, 2.0**-30), (0.5, 1, 2.0**-30), (1, 0, 2))
+    )
+    assert _overlap([wide, small, beside])
+    assert not _overlap([wide, small])
 
 
 def test_a_zero_on_the_boundary_moves_it() -> None:
