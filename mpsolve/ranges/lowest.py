@@ -17,13 +17,13 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from mpsolve.certificate.solve import certify_problem
 from mpsolve.numbers.balls import acb, precision, rational_ball
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.answer import Interval, Proof, uncounted
+from mpsolve.ranges.answer import Interval, Proof
+from mpsolve.ranges.base import base_at, uncounted
 from mpsolve.ranges.followed import follow, stretch
 from mpsolve.ranges.least_seen import least_seen
 from mpsolve.ranges.line import Line, cross_line
@@ -129,7 +129,7 @@ class Question:
         region = Below(h) if height > 0 else HalfPlane()
         if self.base is None or self.base.problem != family.at([at]) or height > 0:
             self.progress("base", 0.9)
-            self.base = certify_problem(family.at([at]), region=region, digits=15, check=self.check)
+            self.base = base_at(family.at([at]), self.budget.rest(), self.check, region)
         if not self.base.proved:
             raise OpenError(uncounted(self.base, "at one point"))
         counted = self.base.region
