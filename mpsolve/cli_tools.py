@@ -95,10 +95,18 @@ def command(*options: Option) -> Callable[[Callable[..., None]], Command]:
     return made
 
 
+_SENTENCE = 200  # letters of the first sentence of a command's help: it is not cut
+
+
 class Commands(click.Group):
     """Commands of this kind."""
 
     command_class = Command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        rows = [(name, self.get_command(ctx, name)) for name in self.list_commands(ctx)]
+        with formatter.section("Commands"):
+            formatter.write_dl([(name, one.get_short_help_str(_SENTENCE)) for name, one in rows if one is not None])
 
 
 def certificate_path(source: Path, output: Path | None, kind: str = "") -> Path:

@@ -167,14 +167,12 @@ def train(file: Path, spacing: str | None, effort: str, as_json: bool) -> None:
     from mpsolve.endless.amplification import amplification
     from mpsolve.endless.infinite_train import infinite_train
     from mpsolve.endless.row import row_in
-    from mpsolve.numbers.units import in_unit
     from mpsolve.problem.case import Case
     from mpsolve.problem.inputfile import read_problem
     from mpsolve.report.trains import train_data, train_text
 
     given = read_problem(file)
-    distance = None if spacing is None else in_unit(spacing, "m", "spacing", "distance of the vehicles")
-    row, count = row_in(given.problem, distance)
+    row, count = row_in(given.problem if given.case is None else given.case, spacing)
     with progress() as tell:
         budget, several = effort_of(effort), given.problem.pencil.contacts > 1
         found = infinite_train(row.problem, row.spacing, effort=budget, progress=tell)

@@ -111,7 +111,7 @@ def stability_chart(
     states the number over each cell of `detail`, not the curves. InputError for paths and ranges that cannot be.
     """
     given = as_problem(problem)
-    ranges = from_above_rest(given, checked_over(given, over))
+    ranges = from_above_rest(given, checked_over(problem, over))
     if len(ranges) != 2:
         times = "once" if len(ranges) == 1 else f"{len(ranges)} times"
         raise InputError("over", f"is given {times}, but a chart is over two parameters: give a range for each")

@@ -62,7 +62,7 @@ def crossings(
     Raises InputError for a path that there is not and for ranges that cannot be.
     """
     given = as_problem(problem)
-    ranges = checked_over(given, over, endless=True)
+    ranges = checked_over(problem, over, endless=True)
     one_path(ranges)
     with one_thread():
         found = find(given, ranges, checked_digits(digits), effort, progress or silent, check)

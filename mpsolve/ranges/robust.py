@@ -52,7 +52,7 @@ def prove_box(
 ) -> Robust:
     """`prove_stable` at once, without a store."""
     given = as_problem(problem)
-    ranges = checked_over(given, over)
+    ranges = checked_over(problem, over)
     with one_thread():
         found = _robust(given, ranges, effort, progress or silent, check, checked_workers(workers))
     return replace(found, problem=problem)
