@@ -64,9 +64,6 @@ COMMANDS = {
 EXAMPLES = {name: example for name, (_, example) in COMMANDS.items()}
 
 
-_SENTENCE = 200  # letters of the first sentence of a command's help: it is not cut
-
-
 class _Commands(Commands):
     """The commands of the table."""
 
@@ -80,11 +77,6 @@ class _Commands(Commands):
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return [*(name for name, (module, _) in COMMANDS.items() if module), *super().list_commands(ctx)]
-
-    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        rows = [(name, self.get_command(ctx, name)) for name in self.list_commands(ctx)]
-        with formatter.section("Commands"):
-            formatter.write_dl([(name, one.get_short_help_str(_SENTENCE)) for name, one in rows if one is not None])
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         module, example = COMMANDS.get(cmd_name, ("", ""))

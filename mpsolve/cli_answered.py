@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from mpsolve.cli_tools import UNDECIDED, checked_file, echo_json, progress
+from mpsolve.cli_tools import UNDECIDED, checked_file, echo_json, json_text, progress, say
 from mpsolve.errors import CertificateError
 
 if TYPE_CHECKING:
@@ -44,11 +42,11 @@ def answered(
     checked_file(certificate, file, "the certificate", (".json",), "certificate")
     question = asked(source.given, source.title, overs, endless=endless)
     with progress() as tell:
-        said = [_told(answer(question, tell))] if overs else _by_default(question, answer, tell, defaults)
+        said = [answer(question, tell)] if overs else _by_default(question, answer, tell, defaults)
     if as_json:
         echo_json(_data(said))
     else:
-        click.echo("\n".join(one.text for one in said), nl=False)
+        say("\n".join(one.text for one in said))
     if certificate is not None:
         _certify(certificate, said, as_json)
     if output is not None:
@@ -68,28 +66,21 @@ def _by_default(
     from mpsolve.ranges.default import MASS_FACTORS, gap_range, velocity_ranges
 
     if defaults == "gap" and (gaps := gap_range(question.problem)) is not None:
-        return [_told(answer(question.by_itself({"gap[0]": gaps}), tell))]
+        return [answer(question.by_itself({"gap[0]": gaps}), tell)]
 
     ranges = velocity_ranges(question.problem)
     if defaults == "chart":
         v = question.problem.v
         one = next((ends for ends in ranges.near if ends[0] <= v <= ends[1]), ranges.near[0])
-        return [_told(answer(question.by_itself({"v": one, "scale.mass": MASS_FACTORS}), tell))]
+        return [answer(question.by_itself({"v": one, "scale.mass": MASS_FACTORS}), tell)]
     out: list[Said] = []
     for ends in ranges.steps if defaults == "first" else ranges.near:
-        out.append(_told(answer(question.by_itself({"v": ends}), tell)))
+        out.append(answer(question.by_itself({"v": ends}), tell))
         if defaults == "first" and (out[-1].grows or not out[-1].answer.proved):
             break
     if len(out) > 1 and not out[-1].answer.proved and out[-1].asked.overs[0].low >= ranges.near[-1][1]:
         out.pop()  # beyond all ranges that hold the velocity and the least critical one: nothing is said of it
     return out
-
-
-def _told(said: Said) -> Said:
-    """With the names of options in remedies."""
-    from mpsolve.report.remedies import on_command_line
-
-    return replace(said, verdict=on_command_line(said.verdict), text=on_command_line(said.text))
 
 
 def _data(said: list[Said]) -> dict[str, Any]:
@@ -124,7 +115,7 @@ def _write(output: Path, said: list[Said]) -> None:
         tables: dict[str, Any] = {"chart": cells_csv, "lines": lines_csv}
         write_whole(output, tables[name](drawn, said[0].asked) if name in tables else rows_csv(said))
     else:
-        write_whole(output, json.dumps(_data(said), ensure_ascii=False, indent=1) + "\n")
+        write_whole(output, json_text(_data(said)) + "\n")
 
 
 def _picture(name: str) -> Callable[[Any, Asked], str]:

@@ -61,7 +61,7 @@ def certify(
     path = certificate_path(source.path, output)
     options = {"region": region_of(region, source.given), "digits": digits, "effort": effort_of(effort)}
     with progress() as tell:
-        spectrum = _told(lambda: prove(source.given, progress=tell, **options))
+        spectrum = prove(source.given, progress=tell, **options)
     _report(spectrum, source.title, path, as_json, output is None)
     sys.exit(0 if spectrum.proved else UNDECIDED)
 
@@ -88,18 +88,12 @@ def region_of(text: str | None, given: Any = None) -> Any:
     return Rectangle(*(measured(bound.strip(), "rad/s", "region") for bound in bounds))
 
 
-def _told(prove: Any) -> Spectrum:
-    """The result, with remedies that name options; InputError likewise."""
+def _told(found: Spectrum) -> Spectrum:
+    """With the names of options in its remedy."""
     from mpsolve.report.remedies import on_command_line
 
-    try:
-        found: Spectrum = prove()
-    except InputError as error:
-        raise InputError(error.key, on_command_line(error.said)) from None
-    if found.reason is None:
-        return found
-    reason = replace(found.reason, remedy=on_command_line(found.reason.remedy))
-    return replace(found, reason=reason)
+    reason = found.reason
+    return found if reason is None else replace(found, reason=replace(reason, remedy=on_command_line(reason.remedy)))
 
 
 def _report(spectrum: Spectrum, title: str, path: Path, as_json: bool, by_default: bool) -> None:
@@ -124,6 +118,6 @@ def _report(spectrum: Spectrum, title: str, path: Path, as_json: bool, by_defaul
     else:
         from mpsolve.report.spectrum_text import spectrum_document
 
-        show(spectrum_document(spectrum, title, saved))
+        show(spectrum_document(_told(spectrum), title, saved))
     if failure is not None:
         raise failure

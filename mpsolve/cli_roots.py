@@ -19,6 +19,7 @@ from mpsolve.cli_tools import (
     effort_of,
     output,
     progress,
+    say,
 )
 from mpsolve.errors import InputError
 
@@ -70,7 +71,7 @@ def roots(
     if as_json:
         echo_json(_data(answer))
     else:
-        click.echo(_text(answer))
+        say(_text(answer))
     if path is not None and answer.proved and answer.certificate is not None:
         answer.certificate.save(path)
     sys.exit(0 if answer.proved else UNDECIDED)
@@ -104,14 +105,12 @@ def _answer(function: str, regions: tuple[Any, ...], cuts: Any, digits: int, sec
 
 
 def _text(answer: Any) -> str:
-    from mpsolve.report.remedies import on_command_line
-
     lines = [f"f(z) = {answer.function}"]
     if answer.note:
         lines.append(f"Note: {answer.note}.")
     lines += [f"Assumed: {one}." for one in answer.assumed]
     if not answer.proved:
-        return "\n".join([*lines, f"Undecided: {on_command_line(str(answer.reason))}."])
+        return "\n".join([*lines, f"Undecided: {answer.reason}."])
     number = "no zeros" if not answer.count else "1 zero" if answer.count == 1 else f"{answer.count} zeros"
     lines.append(f"{answer.status.value.capitalize()}: {number} in {answer.where}, counted with multiplicity.")
     for zero in answer.roots:

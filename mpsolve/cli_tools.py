@@ -47,11 +47,25 @@ def output(text: str) -> Option:
     return click.option("-o", "--output", type=PATH, help=text)
 
 
+def say(text: str, error: bool = False) -> None:
+    """A text, with the names of options in its remedies."""
+    from mpsolve.report.remedies import on_command_line
+
+    click.echo(on_command_line(text.removesuffix("\n")), err=error)
+
+
 def echo_json(data: Any) -> None:
     """Plain values as JSON, for machines."""
+    click.echo(json_text(data))
+
+
+def json_text(data: Any) -> str:
+    """The same as a text; texts in it have the names of options in their remedies."""
     import json
 
-    click.echo(json.dumps(data, ensure_ascii=False, indent=1))
+    from mpsolve.report.remedies import on_command_line
+
+    return json.dumps(on_command_line(data), ensure_ascii=False, indent=1)
 
 
 class Command(click.Command):
@@ -66,7 +80,7 @@ class Command(click.Command):
             status, message = UNDECIDED, str(error)
         except KeyboardInterrupt:
             status, message = INTERRUPTED, "interrupted"
-        click.echo(f"mpsolve: {message}", err=True)
+        say(f"mpsolve: {message}", error=True)
         sys.exit(status)
 
 
@@ -81,10 +95,18 @@ def command(*options: Option) -> Callable[[Callable[..., None]], Command]:
     return made
 
 
+_SENTENCE = 200  # letters of the first sentence of a command's help: it is not cut
+
+
 class Commands(click.Group):
     """Commands of this kind."""
 
     command_class = Command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        rows = [(name, self.get_command(ctx, name)) for name in self.list_commands(ctx)]
+        with formatter.section("Commands"):
+            formatter.write_dl([(name, one.get_short_help_str(_SENTENCE)) for name, one in rows if one is not None])
 
 
 def certificate_path(source: Path, output: Path | None, kind: str = "") -> Path:

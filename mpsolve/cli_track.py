@@ -7,7 +7,18 @@ from pathlib import Path
 
 import click
 
-from mpsolve.cli_tools import FILE, JSON, UNDECIDED, checked_file, command, echo_json, effort_of, output, progress
+from mpsolve.cli_tools import (
+    FILE,
+    JSON,
+    UNDECIDED,
+    checked_file,
+    command,
+    echo_json,
+    effort_of,
+    output,
+    progress,
+    say,
+)
 from mpsolve.errors import InputError
 
 
@@ -156,19 +167,20 @@ def train(file: Path, spacing: str | None, effort: str, as_json: bool) -> None:
     from mpsolve.endless.amplification import amplification
     from mpsolve.endless.infinite_train import infinite_train
     from mpsolve.endless.row import row_in
-    from mpsolve.numbers.units import in_unit
     from mpsolve.problem.case import Case
     from mpsolve.problem.inputfile import read_problem
-    from mpsolve.report.trains import train_json, train_text
+    from mpsolve.report.trains import train_data, train_text
 
     given = read_problem(file)
-    distance = None if spacing is None else in_unit(spacing, "m", "spacing", "distance of the vehicles")
-    row, count = row_in(given.problem, distance)
+    row, count = row_in(given.problem if given.case is None else given.case, spacing)
     with progress() as tell:
         budget, several = effort_of(effort), given.problem.pencil.contacts > 1
         found = infinite_train(row.problem, row.spacing, effort=budget, progress=tell)
         ratios = amplification(given.problem, effort=budget, progress=tell) if several else None
     told = (given.title, found, ratios, count)
-    click.echo(train_json(*told) if as_json else train_text(*told, si=not isinstance(given.case, Case)), nl=False)
+    if as_json:
+        echo_json(train_data(*told))
+    else:
+        say(train_text(*told, si=not isinstance(given.case, Case)))
     if not found.proved:
         sys.exit(UNDECIDED)

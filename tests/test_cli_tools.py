@@ -6,7 +6,9 @@ from pathlib import Path
 
 import click
 import pytest
+from click.testing import CliRunner
 
+from mpsolve.cli import cli
 from mpsolve.cli_tools import certificate_path, checked_output, command, effort_of, progress, seconds_of, show
 from mpsolve.errors import InputError, StudyError
 from mpsolve.report.blocks import Document
@@ -80,3 +82,10 @@ def test_what_is_no_terminal_gets_plain_text_and_no_bar(capsys: pytest.CaptureFi
         assert tell is None
     out, err = capsys.readouterr()
     assert ("\x1b" in out, err) == (False, "")
+
+
+def test_no_sentence_of_a_list_of_commands_is_cut() -> None:
+    """`mpsolve work-out --help` ended in "at one..."."""
+    said = CliRunner().invoke(cli, ["work-out", "--help"]).output
+    assert " ".join(said.split()).count("loss factor, at one frequency.") == 1
+    assert "..." not in said.partition("Commands:")[2]

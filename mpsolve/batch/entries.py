@@ -13,8 +13,9 @@ import numpy as np
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.arrays import Integers, Reals, Truths
-from mpsolve.numbers.model import Model, Quantity, rational
-from mpsolve.problem.parameters import changed, quantity_of
+from mpsolve.numbers.model import Model
+from mpsolve.problem.cases import Given, as_problem, value_at
+from mpsolve.problem.parameters import changed
 from mpsolve.problem.problem import Problem
 from mpsolve.vehicles.felt import split_felt
 from mpsolve.vehicles.vehicle import AnyVehicle, Placed, checked_pencil
@@ -64,10 +65,10 @@ class Entries:
         return problem
 
 
-def entries_of(problem: Problem, over: Mapping[str, Any]) -> Entries:
+def entries_of(given: Given, over: Mapping[str, Any]) -> Entries:
     """The entries for arrays by path; InputError names the path that cannot be."""
-    asked = {path: quantity_of(problem.track, problem.vehicles, problem.v, path) for path in over}
-    arrays = {path: _floats(path, values, asked[path]) for path, values in over.items()}
+    problem = as_problem(given)
+    arrays = {path: _floats(given, path, values) for path, values in over.items()}
     try:
         shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
     except ValueError:
@@ -88,13 +89,14 @@ def _track_parameters(track: Any) -> dict[str, Fraction]:
     return dict(track.parameters) if isinstance(track, Model) else {}
 
 
-def _floats(path: str, values: Any, asked: Quantity) -> Reals:
+def _floats(given: Given, path: str, values: Any) -> Reals:
     """An array within the bounds of the parameter; texts may have units of their own."""
+    asked = as_problem(given).quantity(path)
     if np.ma.is_masked(values):
         raise InputError(path, "has masked entries: give a number everywhere, or leave those entries out")
     array = np.asarray(values)
     if array.dtype.kind in "OU":
-        exact = [float(rational(x, path, asked.unit, asked.meaning)) for x in array.ravel().tolist()]
+        exact = [float(value_at(given, path, x)) for x in array.ravel().tolist()]
         array = np.array(exact).reshape(array.shape)
     if array.dtype.kind not in "iuf":
         raise InputError(path, "is no array of real numbers: give a number, a list or an array of them")

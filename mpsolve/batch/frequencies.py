@@ -86,7 +86,7 @@ def frequencies(
     [0, 2]
     """
     plain = as_problem(problem)
-    flat = entries_of(plain, over or {})
+    flat = entries_of(problem, over or {})
     height = None if region == "sheet" else _height(region)
     if height is None:
         check_sheet(plain)

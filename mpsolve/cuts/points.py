@@ -51,7 +51,7 @@ def cut_points(
     [('0.740466753424', 'gap', False)]
     """
     given = as_problem(problem)
-    ranges = checked_over(given, over)
+    ranges = checked_over(problem, over)
     one_path(ranges)
     if line_height(given.track) is None:
         stated = "has cuts that do not lie on one line, or no damping below the critical one holds them there"

@@ -8,6 +8,7 @@ from itertools import pairwise
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import rational, shown
+from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
@@ -53,7 +54,7 @@ class Row:
 def row_of(problem: Given, spacing: object) -> Row:
     """The row that a problem of one vehicle and a spacing describe; InputError where vehicles would overlap."""
     one = as_problem(problem)
-    d = rational(spacing, "spacing")
+    d = _distance(problem, spacing)
     places = one.pencil.places
     span = places[-1] - places[0]
     if d <= span:
@@ -62,6 +63,12 @@ def row_of(problem: Given, spacing: object) -> Row:
             "spacing", f"is {shown(d)}, but must be above {least}: give the distance to the next vehicle"
         )
     return Row(one, d)
+
+
+def _distance(problem: Given, spacing: object) -> Fraction:
+    """Of a problem in SI a text may have a unit."""
+    unit = None if isinstance(problem, Case) else "m"
+    return rational(spacing, "spacing", unit, "distance of the vehicles")
 
 
 def row_in(problem: Given, spacing: object = None) -> tuple[Row, int]:
@@ -74,13 +81,13 @@ def row_in(problem: Given, spacing: object = None) -> tuple[Row, int]:
     if len(placed) == 1:
         if spacing is None:
             raise InputError("spacing", "is missing for a single vehicle: give the distance from one to the next")
-        return row_of(whole, spacing), 1
+        return row_of(problem, spacing), 1
     if any(one.vehicle != placed[0].vehicle for one in placed):
         raise InputError("vehicle", "are not all equal: an endless train is made of one kind")
     gaps = {b.position - a.position for a, b in pairwise(placed)}
     if len(gaps) > 1:
         raise InputError("vehicle", "are not at equal distances: give them with count and spacing")
     gap = gaps.pop()
-    if spacing is not None and rational(spacing, "spacing") != gap:
+    if spacing is not None and _distance(problem, spacing) != gap:
         raise InputError("spacing", f"is {spacing}, but the vehicles are {shown(gap)} apart: leave it out")
     return row_of(Problem(whole.track, placed[0], whole.v), gap), len(placed)

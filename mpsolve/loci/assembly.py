@@ -8,7 +8,6 @@ from fractions import Fraction
 from itertools import accumulate
 from typing import Any
 
-from mpsolve.certificate.solve import certify_problem
 from mpsolve.loci.answer import FrequencyLine, LineEnd
 from mpsolve.loci.border import ON_AXIS, Border, Passing, border_of
 from mpsolve.loci.grow import Start, Strand, strands
@@ -24,6 +23,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval, Proof, within
+from mpsolve.ranges.base import base_at
 from mpsolve.ranges.crossed import Crossing
 from mpsolve.ranges.scope import Scope
 from mpsolve.spectrum.regions import Below, HalfPlane, Sheet
@@ -123,7 +123,7 @@ class Assembly:
         x = next(free, low + 0.5078125 * (high - low))
         self.progress("base", 0.45)
         at = self.problem.changed(self.scope.family.paths[0], Fraction(x) * family.units[0])
-        self.base = base = certify_problem(at, region=self.region.asked, digits=15, check=self.check)
+        self.base = base = base_at(at, self.budget.rest(), self.check, self.region.asked)
         if not base.proved or any(root.multiplicity > 1 for root in base.roots):
             self._open(
                 base.reason or Reason("multiple", "two roots meet where they are counted", {}, "move the range")
@@ -150,7 +150,8 @@ class Assembly:
         if its.reach == mine.reach:
             return True
         first, last = sorted((its.reach, mine.reach))
-        rest = certify_problem(at, region=Rectangle(first, last, 0, mine.height), check=False)
+        between = Rectangle(first, last, 0, mine.height)
+        rest = base_at(at, self.budget.rest(), False, between)
         return rest.count == 0
 
     def _count(self, found: list[Strand]) -> None:

@@ -56,7 +56,7 @@ def frequency_lines(
     be, for heights at the cuts, and for "sheet" on other tracks.
     """
     given = as_problem(problem)
-    ranges = checked_over(given, over)
+    ranges = checked_over(problem, over)
     path = one_path(ranges)
     values = _values(points, path, ranges[path])
     tell = progress or silent

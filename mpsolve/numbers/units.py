@@ -50,7 +50,9 @@ _PREFIXES = {"G": 9, "M": 6, "k": 3, "d": -1, "c": -2, "m": -3, "µ": -6, "u": -
 _CYCLES = {"Hz": "2π rad/s", "kHz": "2000π rad/s", "rpm": "2π/60 rad/s", "°": "π/180 rad", "deg": "π/180 rad"}
 _COMMON = ("km/h", "kN/mm", "kN/m", "MN/m", "MN/m²", "kN m²", "N s/m²", "kN s/m", "kg/m", "mm", "km", "kN", "t", "kg")
 _WRITTEN = {"kmh": "km/h", "kmph": "km/h", "kmhr": "km/h", "mps": "m/s", "kgm": "kg/m"}
-"""What people write without a stroke, in lower case."""
+_WRITTEN |= dict.fromkeys(("ton", "tons", "tonne", "tonnes"), "t") | dict.fromkeys(("sec", "secs"), "s")
+_WRITTEN |= dict.fromkeys(("meter", "meters", "metre", "metres"), "m")
+"""What people write, in lower case."""
 _MOST = 8  # of an exponent
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _ALIKE = str.maketrans({"μ": "µ", "⋅": "·", "−": "-", "\u00a0": " ", "\u202f": " "})
@@ -152,7 +154,7 @@ def _product(text: str, alone: bool) -> Factor:
     for word in words:
         parts = _SYMBOL.fullmatch(word)
         if parts is None:
-            raise ValueError(f"has the part {word!r}, which is no unit{_near(word)}")
+            raise _NoUnitError(word)
         number, dimension = _symbol(parts[1])
         power = int((parts[2] or "1").translate(_SUPERSCRIPTS))
         if abs(power) > _MOST:
@@ -173,19 +175,29 @@ def _symbol(name: str) -> Factor:
     if prefix in _PREFIXES and base in _PREFIXED:
         size, dimension = _PREFIXED[base]
         return size * Fraction(10) ** _PREFIXES[prefix], dimension
-    raise ValueError(f"has the part {name!r}, which is no unit{_near(name)}")
+    raise _NoUnitError(name)
 
 
-def _near(name: str) -> str:
-    """A unit that is meant, as far as one can tell; upper and lower case count."""
-    if name.lower() in _WRITTEN:
-        return f": did you mean {_WRITTEN[name.lower()]}?"
-    from difflib import get_close_matches
+class _NoUnitError(ValueError):
+    """A part of a unit is none."""
 
-    names = [*_WHOLE, *(p + b for p in ("", *_PREFIXES) for b in _PREFIXED)]
-    same = [known for known in names if known.lower() == name.lower()]
-    near = same or get_close_matches(name, names, n=1, cutoff=0.7)
-    return f": did you mean {near[0]}?" if near else f": units are {', '.join(_COMMON)} and the like"
+    def __init__(self, name: str) -> None:
+        super().__init__(f"has the part {name!r}, which is no unit")
+        self.name = name
+
+    def told(self, unit: str) -> str:
+        """What is wrong with the unit, and the one that is meant, as far as one can tell; case counts."""
+        from difflib import get_close_matches
+
+        low, names = self.name.lower(), [*_WHOLE, *(p + b for p in ("", *_PREFIXES) for b in _PREFIXED)]
+        same = [_WRITTEN[low]] if low in _WRITTEN else [known for known in names if known.lower() == low]
+        near = same or get_close_matches(self.name, names, n=1, cutoff=0.7)
+        meant = (
+            f"did you mean {unit.replace(self.name, near[0])}?"
+            if near
+            else f"units are {', '.join(_COMMON)} and the like"
+        )
+        return f"{self.name!r} is no unit: {meant}"
 
 
 def _ratio(text: str, given: str, unit: str, key: str, told: str) -> Fraction:
@@ -194,6 +206,8 @@ def _ratio(text: str, given: str, unit: str, key: str, told: str) -> Fraction:
         return Fraction(1)
     try:
         size, dimension = factor(given)
+    except _NoUnitError as error:
+        raise InputError(key, f"is {_quoted(text)}, but {error.told(given)}") from None
     except ValueError as error:
         raise InputError(key, f"is {_quoted(text)}, whose unit {error}") from None
     own, wanted = factor(unit)

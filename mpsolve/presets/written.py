@@ -95,12 +95,13 @@ def input_file(
     """
     below, above = preset("track", track), preset("vehicle", vehicle or preset("track", track).vehicle)
     share = _share(below, above)
-    velocity = v or below.v
-    in_unit(velocity, "m/s", "v", "velocity")
+    velocity = below.v if v is None else v
+    if in_unit(velocity, "m/s", "v", "velocity") < 0:
+        raise InputError("v", f"is {velocity}: give a velocity from 0 on, x runs ahead")
     number = above.count if count is None else count
     if number < 1:
         raise InputError("count", f"is {number}: give a whole number from 1")
-    gap = spacing or above.spacing
+    gap = above.spacing if spacing is None else spacing
     if in_unit(gap, "m", "spacing", "distance of the vehicles") <= 0:
         raise InputError("spacing", f"is {gap}: give a distance above 0")
     lines = [

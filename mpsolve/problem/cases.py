@@ -8,6 +8,8 @@ from typing import Any, TypeAlias
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.exact import Exact
+from mpsolve.numbers.model import rational
+from mpsolve.numbers.units import split
 from mpsolve.problem.case import Case
 from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
@@ -47,6 +49,19 @@ def _(given: PhysicalCase) -> Problem:
     """The same beam and masses in SI: q is in rad/s."""
     track = EulerBernoulli(given.EI, given.m, given.k, given.c, given.kp, given.N)
     return Problem(track, [Mass(mass.M).at(mass.position) for mass in given.masses], v=given.v)
+
+
+def value_at(given: Given, path: str, value: object, key: str = "") -> Fraction:
+    """A value of the parameter at `path`; a text may have a unit of its own, but for the ratios of a Case.
+
+    InputError, under `key` or the path, where it is none, and where there is no such parameter.
+    """
+    asked = as_problem(given).quantity(path)
+    if not isinstance(given, Case):
+        return rational(value, key or path, asked.unit, asked.meaning)
+    if isinstance(value, str) and split(value)[1]:
+        raise InputError(key or path, f"is {value!r}, but a Case holds the paper's ratios: give a number alone")
+    return rational(value, key or path)
 
 
 def as_paper(given: Given) -> Case | PhysicalCase | None:

@@ -12,6 +12,7 @@ from mpsolve.outcome import Reason
 from mpsolve.proof.stopping import end_if_asked
 
 MORE_EFFORT = "allow more effort, with effort=Effort(seconds=…)"
+_LEAST = 0.1  # of the seconds, left for a proof that concludes what is known
 
 
 @dataclass
@@ -25,6 +26,8 @@ class Effort:
     evaluations: int | None = None
     spent: int = field(default=0, init=False, repr=False, compare=False)
     started: float = field(default_factory=process_time, init=False, repr=False, compare=False)
+    whole: Effort | None = field(default=None, init=False, repr=False, compare=False)
+    """That of which this is a part: its limits are told, as they were asked for."""
 
     def __post_init__(self) -> None:
         _check("seconds", self.seconds, (int, float), "number")
@@ -32,12 +35,12 @@ class Effort:
 
     def anew(self) -> Effort:
         """The same limits with nothing spent, from now on."""
-        return Effort(self.seconds, self.evaluations)
+        return self._part(self.seconds, self.evaluations, self.whole)
 
     def half(self) -> Effort:
         """Half of both limits, with nothing spent."""
         seconds = None if self.seconds is None else self.seconds / 2
-        return Effort(seconds, None if self.evaluations is None else max(self.evaluations // 2, 1))
+        return self._part(seconds, None if self.evaluations is None else max(self.evaluations // 2, 1))
 
     def share(self, evaluations: int) -> Effort:
         """A part of so many evaluations, within the same time."""
@@ -45,14 +48,28 @@ class Effort:
         part.started = self.started
         return part
 
+    def rest(self) -> Effort | None:
+        """The seconds that are left, but a few in any case, for a proof within the one under way; None: no limit."""
+        if self.seconds is None:
+            return None
+        return self._part(max(self.seconds - (process_time() - self.started), _LEAST * self.seconds), None)
+
+    def _part(self, seconds: float | None, evaluations: int | None, whole: Effort | None = None) -> Effort:
+        part = Effort(seconds, evaluations)
+        part.whole = whole or self.whole or self
+        return part
+
     def spend(self, evaluations: int) -> None:
         """Count evaluations of the characteristic function; EffortError where they are too many, or after Ctrl-C."""
         end_if_asked()
         self.spent += evaluations
+        asked = self.whole or self
         if self.evaluations is not None and self.spent > self.evaluations:
-            self._end(f"{self.evaluations} evaluations", {"evaluations": str(self.evaluations)})
+            many = asked.evaluations or self.evaluations
+            self._end(f"{many} evaluations", {"evaluations": str(many)})
         if self.seconds is not None and process_time() - self.started > self.seconds:
-            self._end(f"{round(self.seconds, 2):g} s of processor time", {"seconds": f"{self.seconds:g}"})
+            seconds = asked.seconds or self.seconds
+            self._end(f"{round(seconds, 2):g} s of processor time", {"seconds": f"{seconds:g}"})
 
     @staticmethod
     def _end(limit: str, numbers: dict[str, str]) -> None:

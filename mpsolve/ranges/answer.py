@@ -15,7 +15,6 @@ from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given
 from mpsolve.proof.subdivide import Covered
-from mpsolve.spectrum.regions import HalfPlane
 
 if TYPE_CHECKING:
     from mpsolve.spectrum.spectrum import Spectrum
@@ -88,18 +87,6 @@ class Answer(Result):
         over = ", ".join(f"{path} from {a} {b}" for path, a, b in ends)
         none = "none, " if self.a_list and self.proved and not self.rows() else ""
         return f"{type(self).__name__}{over and f' over {over}'}: {none}{self.trust}"
-
-
-def growing(base: Spectrum) -> int | None:
-    """The certified number of roots in the whole half-plane Im q < 0; None where only a part of it is counted."""
-    return base.unstable if base.proved and base.region == HalfPlane() else None
-
-
-def uncounted(base: Any, where: str) -> Reason:
-    """Why the roots at a point, from which all others are counted, are not counted: as its own spectrum says."""
-    why = getattr(base, "note", "")
-    stated = f"whether a root grows {where} is open"
-    return base.reason or Reason("base", f"{stated}: {why}" if why else stated, {}, "")
 
 
 class AtValue:

@@ -17,7 +17,6 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from mpsolve.certificate.solve import certify_problem
 from mpsolve.errors import InputError
 from mpsolve.numbers.arrays import Integers
 from mpsolve.outcome import Status
@@ -28,8 +27,9 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import Tree, subdivide
-from mpsolve.ranges.answer import Answer, Interval, Proof, Spent, growing, uncounted
+from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
 from mpsolve.ranges.arcs import ArcJudge
+from mpsolve.ranges.base import base_at, growing, uncounted
 from mpsolve.ranges.boundary import Boundary, boundaries
 from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, next_to, parts_of
 from mpsolve.ranges.cells_by_theorem import Decided, decided
@@ -111,7 +111,7 @@ def stability_chart(
     states the number over each cell of `detail`, not the curves. InputError for paths and ranges that cannot be.
     """
     given = as_problem(problem)
-    ranges = from_above_rest(given, checked_over(given, over))
+    ranges = from_above_rest(given, checked_over(problem, over))
     if len(ranges) != 2:
         times = "once" if len(ranges) == 1 else f"{len(ranges)} times"
         raise InputError("over", f"is given {times}, but a chart is over two parameters: give a range for each")
@@ -130,7 +130,7 @@ def _chart(
     edges = [tuple(a + (b - a) * Fraction(k, 2**depth) for k in range(2**depth + 1)) for a, b in over.values()]
     told = decided(problem, over, edges)
     if told is not None:
-        return replace(_by_theorem(problem, over, edges, told, check), x=edges[0], y=edges[1])
+        return replace(_by_theorem(problem, over, edges, told, effort, check), x=edges[0], y=edges[1])
     scope = scope_of(problem, over)
     try:
         X = scope.X
@@ -177,7 +177,9 @@ def _chart(
     )  # fmt: skip
 
 
-def _by_theorem(problem: Problem, over: dict[str, Interval], edges: Any, told: Decided, check: bool) -> Chart:
+def _by_theorem(
+    problem: Problem, over: dict[str, Interval], edges: Any, told: Decided, effort: Effort | None, check: bool
+) -> Chart:
     """The chart where theorems tell of cells. Between those without and those with growing roots runs a boundary."""
     started = process_time()
     counts = np.where(told.quiet, 0, BOUNDARY if told.alike.any() else OPEN)
@@ -186,7 +188,7 @@ def _by_theorem(problem: Problem, over: dict[str, Interval], edges: Any, told: D
         parts.append(Part(int(told.quiet.sum()), point_in(over, edges, told.quiet), 0))
     if told.alike.any():
         point = point_in(over, edges, told.alike)
-        found = certify_problem(at_corner(problem, point), region="unstable", digits=15, check=check)
+        found = base_at(at_corner(problem, point), effort, check)
         roots, verification = growing(found), found.cost.verification
         counts[told.alike] = OPEN if roots is None else roots
         parts.append(Part(int(told.alike.sum()), point, roots, found))

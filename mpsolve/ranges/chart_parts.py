@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from mpsolve.certificate.solve import certify_problem
 from mpsolve.errors import EffortError
 from mpsolve.numbers.arrays import Integers
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.answer import Interval, growing, uncounted
+from mpsolve.ranges.answer import Interval
+from mpsolve.ranges.base import base_at, growing, uncounted
 from mpsolve.ranges.cells import OPEN, inmost
 from mpsolve.ranges.undamped import at_corner
 
@@ -71,7 +71,7 @@ def counted(
         point = point_in(over, edges, whole if whole.any() else where)
         try:
             budget.spend(1)
-            found = certify_problem(at_corner(problem, point), region="unstable", digits=15, check=check)
+            found = base_at(at_corner(problem, point), budget.rest(), check)
         except EffortError as error:
             reason = reason or error.reason
             detail[where] = OPEN

@@ -9,7 +9,7 @@ from itertools import accumulate, pairwise
 from time import process_time
 from typing import Any
 
-from mpsolve.certificate.solve import certify_problem, checked_digits
+from mpsolve.certificate.solve import checked_digits
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.packed import exact_ends
 from mpsolve.numbers.realroots import short_between
@@ -20,7 +20,8 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
-from mpsolve.ranges.answer import Interval, Proof, Spent, growing, uncounted, within
+from mpsolve.ranges.answer import Interval, Proof, Spent, within
+from mpsolve.ranges.base import base_at, growing, uncounted
 from mpsolve.ranges.certified import Base, crossings_certificate, with_room
 from mpsolve.ranges.crossed import Crossing, Crossings
 from mpsolve.ranges.enclosed import Crossing as Scaled
@@ -61,7 +62,7 @@ def crossings(
     Raises InputError for a path that there is not and for ranges that cannot be.
     """
     given = as_problem(problem)
-    ranges = checked_over(given, over, endless=True)
+    ranges = checked_over(problem, over, endless=True)
     one_path(ranges)
     with one_thread():
         found = find(given, ranges, checked_digits(digits), effort, progress or silent, check)
@@ -99,7 +100,7 @@ def find(
     if high is None:
         require_mass(path)
     if no_damping(problem, over):
-        return without_damping(problem, over, digits, progress, check)
+        return without_damping(problem, over, digits, effort, progress, check)
     if high is None:
         budget = begun(effort, _BOXES)
         found = endless(problem, over, lambda ranges: inside(ranges, budget), left_open, budget, progress)
@@ -159,7 +160,7 @@ def _within(
     counts, base = None, None
     if reason is None:
         progress("base", 0.9)
-        counts, base, reason = _counts(problem, over, inside, check)
+        counts, base, reason = _counts(problem, over, inside, budget, check)
     spent = process_time() - started
     seconds = base.cost.verification if base is not None else 0.0
     cost = Spent(spent - seconds, seconds, budget.spent)
@@ -184,7 +185,7 @@ def _in_units(one: Scaled, scope: Scope) -> Crossing:
 
 
 def _counts(
-    problem: Problem, over: Mapping[str, Interval], found: list[Crossing], check: bool
+    problem: Problem, over: Mapping[str, Interval], found: list[Crossing], budget: Effort, check: bool
 ) -> tuple[tuple[int, ...] | None, Any, Reason | None]:
     """(the numbers of unstable roots between crossings, the spectrum from which they are counted, why not)."""
     path = next(iter(over))
@@ -195,7 +196,7 @@ def _counts(
         stated = "a root touches the real axis as far as can be told"
         return None, None, Reason("direction", stated, {}, "ask for more digits")
     at, first = _counted_at(over, found)
-    base = certify_problem(problem.changed(path, at), region="unstable", digits=15, check=check)
+    base = base_at(problem.changed(path, at), budget.rest(), check)
     number_there = growing(base)
     if number_there is None:
         return None, base, uncounted(base, f"at {path} = {float(at):.6g}")

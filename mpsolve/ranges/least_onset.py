@@ -19,7 +19,6 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.certificate.solve import certify_problem
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.balls import arb, precision, rational_ball
@@ -28,7 +27,8 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered, subdivide
-from mpsolve.ranges.answer import Interval, Proof, uncounted
+from mpsolve.ranges.answer import Interval, Proof
+from mpsolve.ranges.base import base_at, uncounted
 from mpsolve.ranges.crossingcurve import CrossingCurve
 from mpsolve.ranges.first_seen import each_seen
 from mpsolve.ranges.glance import count_seen
@@ -99,7 +99,7 @@ class Question:
         for y in (low + (high - low) * k / _STARTS for k in range(_STARTS + 1)):
             if count_seen(self.scope.family.reduced([start, y]), self.scope.X) == 0:
                 continue
-            base = certify_problem(self.scope.family.at([start, y]), region="unstable", digits=15, check=self.check)
+            base = base_at(self.scope.family.at([start, y]), self.budget.rest(), self.check)
             if base.unstable:
                 where = "start" if y == low else "end" if y == high else "inside"
                 return Least(None, None, rational_ball(y * self.scope.family.units[1]), where, ())
@@ -211,7 +211,7 @@ class Question:
         short = [Fraction(np.float32(float(t)).item()) for t in point]
         point = [s if a < s < b else t for s, t, a, b in zip(short, point, (x0, y0), (top, y1), strict=True)]
         self.below = point[0]
-        self.base = certify_problem(family.at(point), region="unstable", digits=15, check=self.check)
+        self.base = base_at(family.at(point), self.budget.rest(), self.check)
         if self.base.stable is None:
             raise OpenError(uncounted(self.base, "at one point"))
         if self.base.unstable:

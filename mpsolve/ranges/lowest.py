@@ -17,13 +17,13 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from mpsolve.certificate.solve import certify_problem
 from mpsolve.numbers.balls import acb, precision, rational_ball
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
-from mpsolve.ranges.answer import Interval, Proof, uncounted
+from mpsolve.ranges.answer import Interval, Proof
+from mpsolve.ranges.base import base_at, uncounted
 from mpsolve.ranges.followed import follow, stretch
 from mpsolve.ranges.least_seen import least_seen
 from mpsolve.ranges.line import Line, cross_line
@@ -40,6 +40,7 @@ _CUT = 2.0**-4  # of it: the least that is left of the width where an end of the
 _SIDES = {"inside": np.array([-1.0, 1.0]), "start": np.array([1.0]), "end": np.array([-1.0])}
 _REACH = 2.0  # scaled: how far roots are looked for in floats
 _BELOW = 0.98  # of the height of the cuts
+_SEEN = 1e-6  # relative: what floats see is as low as what is certified
 _SEEDS = 4  # times that a lower root elsewhere is taken up
 NEXT = "give a shorter range round the lowest point"
 
@@ -110,6 +111,9 @@ class Question:
         for share in _SHARES:
             width, height = _above(found, share, self.scope, self._top)
             number, reach = self._below(height, found)
+            lower = self._lower(found)
+            if lower is not None:
+                return self._attempts(lower)
             steps = (_SIDES[found.where] * width).tolist()
             points = [(abs(found.beside(step)[0].real), float(found.x) + step) for step in steps]
             line = cross_line(self.scope.family, height, reach, points, self.budget, self.progress)
@@ -129,7 +133,7 @@ class Question:
         region = Below(h) if height > 0 else HalfPlane()
         if self.base is None or self.base.problem != family.at([at]) or height > 0:
             self.progress("base", 0.9)
-            self.base = certify_problem(family.at([at]), region=region, digits=15, check=self.check)
+            self.base = base_at(family.at([at]), self.budget.rest(), self.check, region)
         if not self.base.proved:
             raise OpenError(uncounted(self.base, "at one point"))
         counted = self.base.region
@@ -143,6 +147,21 @@ class Question:
             elif not root.q.imag > level:
                 return None, reach
         return total, reach
+
+    def _lower(self, found: Candidate) -> Candidate | None:
+        """Where a certified root lies below the one that floats saw, the lowest point near it."""
+        unit = rational_ball(self.scope.family.frequency_unit)
+        seen = (root.q for root in self.base.roots if not root.q.real < 0)
+        q = min(seen, key=lambda q: float(q.imag.mid()), default=None)
+        if q is None or not (q.imag / unit).upper() < found.state[0].imag.mid() - _SEEN * abs(
+            found.state[0].imag.mid()
+        ):
+            return None
+        with precision(80):
+            step = float(self.scope.high[0] - self.scope.low[0]) * _CUT
+            return lowest_near(
+                RootCurve(self.scope.proved), (acb((q / unit).mid()),), float(found.x), self._ends, step
+            )
 
     def _at(self, found: Candidate) -> Fraction:
         """An exact point next to where the root was found."""

@@ -79,11 +79,9 @@ def onset(
     """
     if worst is not None:
         digits = checked_digits(digits)
-        return _at_worst(
-            at_worst(as_problem(problem), over, worst, digits, effort, progress or silent, check), problem, digits
-        )
+        return _at_worst(at_worst(problem, over, worst, digits, effort, progress or silent, check), problem, digits)
     given = as_problem(problem)
-    ranges = checked_over(given, over, endless=True)
+    ranges = checked_over(problem, over, endless=True)
 
     def ask(
         over: Mapping[str, Interval], effort: Effort | None, near: tuple[tuple[float, float], ...] = ()

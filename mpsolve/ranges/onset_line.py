@@ -15,7 +15,6 @@ from typing import Any, cast
 
 import numpy as np
 
-from mpsolve.certificate.solve import certify_problem
 from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_proved import FreeProved
 from mpsolve.errors import InputError, PrecisionError
@@ -32,6 +31,7 @@ from mpsolve.proof.subdivide import subdivide
 from mpsolve.proof.vanishing import in_plane, one_at_most, scalar
 from mpsolve.ranges.answer import Interval
 from mpsolve.ranges.asked import Asked, AskedJudge
+from mpsolve.ranges.base import base_at
 from mpsolve.ranges.crossingcurve import Fixed
 from mpsolve.ranges.enclosed import Crossing, enclose
 from mpsolve.ranges.first_seen import each_seen
@@ -136,7 +136,7 @@ class _Line:
             raise PrecisionError(str(cover.reason))
         (at, _), (a, b) = scope.family.box
         point = [at, short_between(a, b)]
-        base = certify_problem(scope.family.at(point), region="unstable", digits=15, check=False)
+        base = base_at(scope.family.at(point), self.budget.rest(), False)
         if not base.stable or base.unstable:
             raise PrecisionError("roots grow before the first crossing, or are not counted there")
 

@@ -10,7 +10,7 @@ from typing import Any
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.outcome import Reason
 from mpsolve.parallel.threads import one_thread
-from mpsolve.problem.problem import Problem
+from mpsolve.problem.cases import Given, as_problem
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort, begun
 from mpsolve.ranges.answer import Interval, Spent
@@ -32,7 +32,7 @@ class AtWorst:
 
 
 def at_worst(
-    problem: Problem,
+    given: Given,
     over: Mapping[str, Any],
     worst: Mapping[str, Any],
     digits: int,
@@ -42,7 +42,8 @@ def at_worst(
 ) -> AtWorst:
     """The least onset; InputError where the ranges cannot be, or are not two."""
     started = process_time()
-    first, second = checked_over(problem, over), checked_over(problem, worst)
+    problem = as_problem(given)
+    first, second = checked_over(given, over), checked_over(given, worst)
     one_path(first)
     if len(second) != 1 or first.keys() & second.keys():
         stated = f"names {', '.join(second)}, and over {', '.join(first)}"

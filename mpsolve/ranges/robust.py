@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from mpsolve.certificate.solve import certify_problem
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.arrays import Reals
 from mpsolve.outcome import Status
@@ -23,7 +22,8 @@ from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.ranges import undamped
-from mpsolve.ranges.answer import Interval, Proof, Spent, uncounted
+from mpsolve.ranges.answer import Interval, Proof, Spent
+from mpsolve.ranges.base import base_at, uncounted
 from mpsolve.ranges.certified import Base, stable_certificate
 from mpsolve.ranges.glance import corners_and_more, count_seen
 from mpsolve.ranges.in_processes import InProcesses
@@ -52,7 +52,7 @@ def prove_box(
 ) -> Robust:
     """`prove_stable` at once, without a store."""
     given = as_problem(problem)
-    ranges = checked_over(given, over)
+    ranges = checked_over(problem, over)
     with one_thread():
         found = _robust(given, ranges, effort, progress or silent, check, checked_workers(workers))
     return replace(found, problem=problem)
@@ -63,23 +63,23 @@ def at_first_sight(problem: Problem, over: dict[str, Interval], effort: Effort |
     with one_thread():
         question = _asked(problem, over, effort, check)
         try:
-            return _by_theorem(problem, over, check) or question.counterexample()
+            return _by_theorem(problem, over, effort, check) or question.counterexample()
         except (EffortError, OpenError):  # parts may tell
             return None
 
 
-def _by_theorem(problem: Problem, over: dict[str, Interval], check: bool) -> Robust | None:
+def _by_theorem(problem: Problem, over: dict[str, Interval], effort: Effort | None, check: bool) -> Robust | None:
     why = never_unstable(problem, over)
     if why is not None:
         return Robust(problem, over, Status.UNVERIFIED, stable=True, note=why)
-    return _refuted_undamped(problem, over, check) if undamped.no_damping(problem, over) else None
+    return _refuted_undamped(problem, over, effort, check) if undamped.no_damping(problem, over) else None
 
 
-def _refuted_undamped(problem: Problem, over: dict[str, Interval], check: bool) -> Robust:
+def _refuted_undamped(problem: Problem, over: dict[str, Interval], effort: Effort | None, check: bool) -> Robust:
     """A root that grows where the velocity is greatest, or what is known."""
     started = process_time()
     point = {path: high if path in undamped.SPEEDS else low for path, (low, high) in over.items()}
-    found = certify_problem(undamped.at_corner(problem, point), region="unstable", digits=15, check=check)
+    found = base_at(undamped.at_corner(problem, point), effort, check)
     checked = found.cost.verification
     cost = Spent(process_time() - started - checked, checked)
     if found.stable is False:
@@ -114,7 +114,7 @@ class _Question:
         family = self.scope.family
         exact = [min(max(Fraction(float(t)), a), b) for t, (a, b) in zip(x, family.box, strict=True)]
         point = {path: t * unit for path, t, unit in zip(family.paths, exact, family.units, strict=True)}
-        return point, certify_problem(family.at(exact), region="unstable", digits=15, check=self.check)
+        return point, base_at(family.at(exact), self.budget.rest(), self.check)
 
     def refuted(self, x: Reals) -> Robust | None:
         """The answer where a root grows at this point."""
@@ -154,7 +154,7 @@ class _Question:
 def _robust(
     problem: Problem, over: dict[str, Interval], effort: Effort | None, progress: Progress, check: bool, workers: int
 ) -> Robust:
-    known = _by_theorem(problem, over, check)
+    known = _by_theorem(problem, over, effort, check)
     if known is not None:
         return known
     question = _asked(problem, over, effort, check)

@@ -17,7 +17,7 @@ from mpsolve.characteristic.free_proved import FreeProved
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.jets import UP
-from mpsolve.numbers.model import rational, shown
+from mpsolve.numbers.model import shown
 from mpsolve.outcome import Reason
 from mpsolve.passivity import tail
 from mpsolve.passivity.absorption import Absorption, overtakes
@@ -25,6 +25,7 @@ from mpsolve.passivity.box import passive_beyond
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.far import far
 from mpsolve.passivity.subject import Subject
+from mpsolve.problem.cases import Given, as_problem, value_at
 from mpsolve.problem.family import Family, Interval, family_of, require_ends
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Guide
@@ -203,13 +204,14 @@ def from_above_rest(problem: Problem, over: Mapping[str, Interval]) -> dict[str,
     return out
 
 
-def checked_over(problem: Problem, over: object, endless: bool = False) -> dict[str, Interval]:
-    """{path: (low, high)} with exact ends in order; InputError names the path.
+def checked_over(given: Given, over: object, endless: bool = False) -> dict[str, Interval]:
+    """{path: (low, high)} with exact ends in order, which may be texts with units; InputError names the path.
 
     endless: whether `high` may be None, for a range without an upper end.
     """
     if not isinstance(over, Mapping) or not over:
         raise InputError("over", 'is empty: give ranges by their paths, such as {"v": (0, 100)}')
+    problem = as_problem(given)
     known = problem.parameters
     out: dict[str, Interval] = {}
     for path, ends in over.items():
@@ -223,13 +225,13 @@ def checked_over(problem: Problem, over: object, endless: bool = False) -> dict[
             raise InputError(path, "has no lower end: give one, such as 0")
         if last is None and not endless:
             raise InputError(path, f"has no upper end, which only crossings and onsets may have: {_GIVE}")
-        low = rational(first, path)
+        low = value_at(given, path, first)
         if last is None:
             if low < 0:
                 raise InputError(path, f"begins at {shown(low)}: without an upper end it must begin at 0 or above")
             out[path] = (low, None)  # type: ignore[assignment]
             continue
-        high = rational(last, path)
+        high = value_at(given, path, last)
         if not low < high:
             raise InputError(path, f"ends at {shown(high)}, not above its start {shown(low)}: give the ends in order")
         out[path] = (low, high)

@@ -9,11 +9,11 @@ from typing import Any
 
 from mpsolve.display import card
 from mpsolve.errors import InputError
-from mpsolve.numbers.model import rational, shown, whole
+from mpsolve.numbers.model import shown, whole
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.parallel.pool import run
-from mpsolve.problem.cases import Given, as_problem
+from mpsolve.problem.cases import Given, as_problem, value_at
 from mpsolve.problem.over import Over
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
@@ -86,8 +86,8 @@ def stability_table(
     if quantity not in QUANTITIES:
         raise InputError("quantity", f'is {quantity!r}: give "onset" or "unstable ranges"')
     digits = whole(digits, "digits", 1, _MOST_DIGITS)
-    asked = over if isinstance(over, Over) else _over(given, over)
-    first, second = _axis(given, rows, "rows"), _axis(given, columns, "columns")
+    asked = over if isinstance(over, Over) else _over(problem, over)
+    first, second = _axis(problem, rows, "rows"), _axis(problem, columns, "columns")
     if len({asked.path, first[0], second[0]}) < 3:
         raise InputError("columns", f"has {second[0]}, rows {first[0]}, the range {asked.path}: give three others")
     _require_none_undone(given, first, second, asked)
@@ -105,23 +105,23 @@ def stability_table(
     return Table(quantity, asked, first, second, digits, entries, title)
 
 
-def _over(problem: Problem, over: Mapping[str, Any]) -> Over:
-    ranges = checked_over(problem, over)
+def _over(given: Given, over: Mapping[str, Any]) -> Over:
+    ranges = checked_over(given, over)
     path = one_path(ranges)
-    unit = problem.quantity(path).unit
+    unit = as_problem(given).quantity(path).unit
     return Over(path, *ranges[path], unit, unit)
 
 
-def _axis(problem: Problem, axis: object, key: str) -> Axis:
+def _axis(given: Given, axis: object, key: str) -> Axis:
     if not isinstance(axis, Mapping) or len(axis) != 1:
         raise InputError(key, 'is no grid of one parameter: give {"gap[0]": [1, 2, 3]}, for example')
     path, values = next(iter(axis.items()))
-    quantity = problem.quantity(path)
+    as_problem(given).quantity(path)
     if isinstance(values, str) or not 1 <= len(values) <= _MOST:
         raise InputError(key, f"gives no list of values of {path}: give 1 to {_MOST}")
     out: list[Fraction] = []
     for k, value in enumerate(values):
-        number = rational(value, f"{key}.values[{k + 1}]", quantity.unit, quantity.meaning)
+        number = value_at(given, path, value, f"{key}.values[{k + 1}]")
         if number in out:
             raise InputError(f"{key}.values[{k + 1}]", f"is {shown(number)}, which is there already: drop one")
         out.append(number)

@@ -82,7 +82,7 @@ def unstable_ranges(
 ) -> UnstableRanges:
     """Where in a closed range of one parameter the problem is unstable: see `crossings` for arguments and errors."""
     given = as_problem(problem)
-    found = found_in(given, checked_over(given, over, endless=True), digits, effort, progress, check)
+    found = found_in(given, checked_over(problem, over, endless=True), digits, effort, progress, check)
     intervals = intervals_of(found)
     return UnstableRanges(problem, found.over, digits=found.digits, intervals=intervals, **shared(found))
 

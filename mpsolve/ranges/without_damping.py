@@ -6,20 +6,26 @@ from collections.abc import Mapping
 from time import process_time
 from typing import Any
 
-from mpsolve.certificate.solve import certify_problem
 from mpsolve.numbers.balls import arb, precision
 from mpsolve.numbers.decimals import working_bits
 from mpsolve.numbers.realroots import short_between
 from mpsolve.outcome import Status
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
+from mpsolve.proof.effort import Effort
 from mpsolve.ranges import lone_mass, undamped
-from mpsolve.ranges.answer import Interval, Spent, growing, uncounted
+from mpsolve.ranges.answer import Interval, Spent
+from mpsolve.ranges.base import base_at, growing, uncounted
 from mpsolve.ranges.crossed import Crossing, Crossings
 
 
 def without_damping(
-    problem: Problem, over: Mapping[str, Interval], digits: int, progress: Progress, check: bool
+    problem: Problem,
+    over: Mapping[str, Interval],
+    digits: int,
+    effort: Effort | None,
+    progress: Progress,
+    check: bool,
 ) -> Crossings:
     """`crossings` of checked arguments, where `undamped.no_damping` and something may grow."""
     started = process_time()
@@ -28,7 +34,7 @@ def without_damping(
         return Crossings(problem, over, Status.UNDECIDED, *undamped.left_open(problem, over), digits=digits)
     progress("base", 0.0)
     path, at = next(iter(over)), short_between(part.low, part.high)
-    base = certify_problem(problem.changed(path, at), region="unstable", digits=15, check=check)
+    base = base_at(problem.changed(path, at), effort, check)
     number = growing(base)
     cost = Spent(process_time() - started - base.cost.verification, base.cost.verification)
     if number is None:

@@ -78,7 +78,7 @@ def worst(
     which the roots are counted. Raises InputError for a path that there is not and for ranges that cannot be.
     """
     given = as_problem(problem)
-    ranges = checked_over(given, over)
+    ranges = checked_over(problem, over)
     one_path(ranges)
     with one_thread():
         found = _worst(given, ranges, checked_digits(digits), effort, progress or silent, check)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 _COMMAND = (
     ('ask for the region "unstable"', "try --region unstable"),
     ('only region="unstable", or a rectangle in Im q ≤ 0, can be certified', "try --region unstable"),
@@ -22,11 +24,23 @@ _COMMAND = (
     ("ask for more digits", "ask for more --digits"),
     ("or for a rectangle", "or for a small --region=RE_MIN,RE_MAX,IM_MIN,IM_MAX"),
     ("ask for a rectangle", "ask for a small --region=RE_MIN,RE_MAX,IM_MIN,IM_MAX"),
+    ("for a Rectangle", "for --region=RE_MIN,RE_MAX,IM_MIN,IM_MAX"),
+    ("give a Rectangle", "give --region=RE_MIN,RE_MAX,IM_MIN,IM_MAX"),
+    ("with im_max < 0", "with IM_MAX < 0"),
+    ("with re_min > 0", "with RE_MIN > 0"),
+    ('for ("below", h)', "for --region below=H"),
+    ('ask for region="unstable"', "try --region unstable"),
+    (", or give spectrum=certify(problem)", ""),
 )
 
 
-def on_command_line(reason: str) -> str:
-    """The reason with the names of options in place of those of arguments."""
-    for argument, option in _COMMAND:
-        reason = reason.replace(argument, option)
-    return reason
+def on_command_line(said: Any) -> Any:
+    """A text, or the texts in lists and mappings, with the names of options in place of those of arguments."""
+    if isinstance(said, dict):
+        return {key: on_command_line(one) for key, one in said.items()}
+    if isinstance(said, list):
+        return [on_command_line(one) for one in said]
+    if isinstance(said, str):
+        for argument, option in _COMMAND:
+            said = said.replace(argument, option)
+    return said

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from fractions import Fraction
 from typing import Any
@@ -52,7 +51,7 @@ def _bounds(peak: Peak, si: bool) -> str:
     return f"at most between {low} and {outward(peak.high, 6, up=True)}, {near}"
 
 
-def train_json(title: str, found: InfiniteTrain, ratios: Amplification | None, count: int) -> str:
+def train_data(title: str, found: InfiniteTrain, ratios: Amplification | None, count: int) -> dict[str, Any]:
     """The same for machines."""
     motion = None
     if found.motion is not None:
@@ -86,7 +85,7 @@ def train_json(title: str, found: InfiniteTrain, ratios: Amplification | None, c
             "back": _peak(ratios.back),
             "reason": None if ratios.reason is None else ratios.reason.data(),
         }
-    return json.dumps(content, indent=2) + "\n"
+    return content
 
 
 def _gain(gain: Gain) -> dict[str, float]:

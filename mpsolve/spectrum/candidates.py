@@ -110,9 +110,9 @@ def find_roots(
     return found[before:]
 
 
-def _towards_zero(area: Area) -> Any:
+def _towards_zero(area: Area, least: float = 1e-18, many: int = 60) -> Any:
     """Points in all directions, ever closer to q = 0."""
-    size = area.size * np.geomspace(1e-18, 0.1, 60)
+    size = area.size * np.geomspace(least, 0.1, many)
     return (size[:, None] * np.exp(1j * np.pi * np.linspace(-0.5, 0.5, 9))).ravel()
 
 
@@ -122,6 +122,8 @@ def search(reduced: Reduced, area: Area, hints: Any, levels: int = 2) -> Any:
     found = np.zeros(0, complex)
     if len(hints):
         found = _newton(function, area, np.asarray(hints, complex), found)
+    if levels:  # bodies on soft springs, far below the waves of a track
+        found = _newton(function, area, _best(function, _towards_zero(area, 1e-5, 20), np.inf, 60), found)
     for level in range(levels):
         found = _newton(function, area, _starts(function, level, area), found)
     return found

@@ -57,7 +57,7 @@ def prove_stable(
         return prove_box(problem, over=over, effort=effort, progress=progress, workers=workers, check=check)
     started = process_time()
     given = as_problem(problem)
-    ranges = from_above_rest(given, checked_over(given, over))
+    ranges = from_above_rest(given, checked_over(problem, over))
     seen = at_first_sight(given, ranges, effort, check)
     if seen is not None:
         return replace(seen, problem=problem)

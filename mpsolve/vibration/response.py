@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from inspect import signature
 from typing import Any
 
 from mpsolve.problem.case import Case
@@ -20,10 +21,16 @@ def response(problem: Any, *arguments: Any, **options: Any) -> Any:
     of these with balls=True, or
     digits, in proved balls, or numbers right to so many decimals, see `balls_of_case`.
     """
-    if not isinstance(problem, (Case, PhysicalCase)):
-        return vibrate(problem, *arguments, **options)
-    balls, digits = options.pop("balls", False), options.pop("digits", None)
-    if balls or digits is not None:
-        compute: Any = balls_of_case if balls else numbers_of_case
-        return compute(problem, *arguments, **options, digits=15 if digits is None else digits)
-    return motion_of_case(problem, *arguments, **options)
+    compute: Any = vibrate
+    of, known = "a Problem", signature(vibrate)
+    if isinstance(problem, (Case, PhysicalCase)):
+        balls = options.pop("balls", False)
+        options = {name: one for name, one in options.items() if name != "digits" or one is not None}
+        compute = balls_of_case if balls else numbers_of_case if "digits" in options else motion_of_case
+        of, known = "a case of the paper", signature(balls_of_case if "digits" in options else compute)
+    try:
+        known.bind(problem, *arguments, **options)
+    except TypeError as error:
+        names = ", ".join(list(known.parameters)[1:])
+        raise TypeError(f"response() of {of} {error}: its arguments are {names}") from None
+    return compute(problem, *arguments, **options)

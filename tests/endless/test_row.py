@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 from endless_rows import BEAM, BOGIE, LAYERS, bogies, masses
 
-from mpsolve import InputError, Problem, vehicles
+from mpsolve import Case, InputError, Problem, vehicles
 from mpsolve.endless.row import row_in, row_of
 
 
@@ -50,3 +50,12 @@ def test_a_row_is_seen_in_a_train_of_equal_vehicles() -> None:
 def test_other_trains_are_no_rows(placed: list[object], spacing: object, said: str) -> None:
     with pytest.raises(InputError, match=said):
         row_in(Problem(BEAM, placed, v="0.3"), spacing)
+
+
+def test_a_spacing_in_si_may_have_a_unit() -> None:
+    one = Problem(LAYERS, BOGIE, v=50)
+    assert row_of(one, "2500 cm").spacing == row_in(one, "25 m")[0].spacing == 25
+    with pytest.raises(InputError, match="spacing: is '25 kg', whose unit is kg"):
+        row_of(one, "25 kg")
+    with pytest.raises(InputError, match="spacing: '3 m' is not a number"):
+        row_of(Case(alpha="0.1", eta_b="0.05", eta_m=[40], positions=[0]), "3 m")

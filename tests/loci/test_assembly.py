@@ -9,8 +9,8 @@ import pytest
 from free_cases import BEAM, PAIR
 
 from mpsolve import Problem, frequency_lines
-from mpsolve.certificate.solve import certify_problem
 from mpsolve.loci import assembly
+from mpsolve.ranges.base import base_at
 
 PROBLEM = Problem(BEAM, PAIR, v="0.5")
 OVER = {"v": ("0.5", "0.52")}
@@ -18,9 +18,9 @@ OVER = {"v": ("0.5", "0.52")}
 
 def lines(monkeypatch: pytest.MonkeyPatch, change: Any) -> Any:
     def certified(*args: Any, **options: Any) -> Any:
-        return change(certify_problem(*args, **options))
+        return change(base_at(*args, **options))
 
-    monkeypatch.setattr(assembly, "certify_problem", certified)
+    monkeypatch.setattr(assembly, "base_at", certified)
     return frequency_lines(PROBLEM, over=OVER, region=("below", "0.046"), points=2, check=False)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -148,3 +149,11 @@ def test_a_preset_with_another_vehicle() -> None:
     usual, other = problem_of("ballasted")[0], problem_of("ballasted", "shinkansen")[0]
     assert usual.track == other.track
     assert usual.pencil.M != other.pencil.M
+
+
+@pytest.mark.parametrize(("given", "said"), [({"v": "-300 km/h"}, "v: is -300 km/h: give"), ({"v": ""}, "v: ''"),
+                                            ({"count": 2, "spacing": ""}, "spacing: ''")])  # fmt: skip
+def test_no_file_is_written_that_cannot_be_used(given: dict[str, Any], said: str) -> None:
+    """A negative velocity was written; an empty one was left out without a word."""
+    with pytest.raises(InputError, match=said):
+        input_file("ballasted", **given)

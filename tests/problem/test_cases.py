@@ -11,9 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracle import Truth, cases, frequencies
 
-from mpsolve import Case, PhysicalCase
+import mpsolve
+from mpsolve import Case, PhysicalCase, onset
 from mpsolve.errors import InputError
-from mpsolve.problem.cases import as_problem
+from mpsolve.problem.cases import as_problem, value_at
 from mpsolve.problem.problem import Problem
 from mpsolve.tracks import String
 from mpsolve.tracks.waveguide import Polynomial, moving
@@ -134,3 +135,21 @@ def test_mpmath_itself_agrees_at_one_point() -> None:
     integral = mpmath.quad(integrand, [-200, -20, -5, -2, 0, 2, 5, 20, 200]) / (2 * mpmath.pi)
     value = General(problem, CTX.mpc(0.6, -0.3)).G(CTX.mpf(0.9))
     assert abs(complex(integral) - complex(value)) < 1e-6
+
+
+def test_values_may_have_units_but_for_the_paper_s_ratios() -> None:
+    """`onset(over={"v": ("0 km/h", "400 km/h")})` was refused, and 1 km/h of a Case taken for α = 0.28."""
+    wire = Problem(String(T=1, m=1), Mass(1), v=0)
+    assert value_at(wire, "v", "36 km/h") == 10
+    assert value_at(wire, "track.m", "0.1") == Fraction(1, 10)
+    with pytest.raises(InputError, match="ends: is '3 kg', whose unit is kg"):
+        value_at(wire, "v", "3 kg", "ends")
+    paper = Case(alpha="0.5", eta_b="0.1", eta_m=[3], positions=[0])
+    assert value_at(paper, "v", "0.7") == Fraction(7, 10)
+    with pytest.raises(InputError, match="v: is '1 km/h', but a Case holds the paper's ratios: give a number alone"):
+        value_at(paper, "v", "1 km/h")
+    with pytest.raises(InputError, match="is unknown"):
+        value_at(paper, "V", 1)
+    for ask in (mpsolve.frequencies, onset):
+        with pytest.raises(InputError, match="a Case holds the paper's ratios"):
+            ask(paper, over={"v": ["0 km/h", "1 km/h"]})  # type: ignore[operator]

@@ -74,3 +74,34 @@ def test_a_share_has_the_time_of_the_whole() -> None:
     part.spend(5)
     with pytest.raises(EffortError, match="5 evaluations"):
         part.spend(1)
+
+
+def test_a_part_tells_the_limits_that_were_asked_for() -> None:
+    """`certify --effort 1` told "0.5 s", the share of its first region."""
+    for part in (Effort(seconds=1).half(), Effort(seconds=1).half().half().anew()):
+        part.started -= 2
+        with pytest.raises(EffortError, match="the effort of 1 s of") as caught:
+            part.spend(0)
+        assert caught.value.reason.numbers == {"seconds": "1"}
+    with pytest.raises(EffortError, match="the effort of 40 evaluations"):
+        Effort(evaluations=40).half().half().spend(11)
+
+
+def test_the_rest_is_what_is_left_and_never_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = [100.0]
+    monkeypatch.setattr("mpsolve.proof.effort.process_time", lambda: clock[0])
+    whole = Effort(seconds=10)
+    whole.started = 100.0
+    clock[0] = 104.0
+    rest = whole.rest()
+    assert rest is not None
+    assert (rest.seconds, rest.evaluations) == (6.0, None)
+    clock[0] = 150.0
+    least = whole.rest()
+    assert least is not None
+    assert least.seconds == 1.0
+    least.started = 150.0
+    clock[0] = 152.0
+    with pytest.raises(EffortError, match="the effort of 10 s of"):
+        least.spend(0)
+    assert Effort(evaluations=3).rest() is None

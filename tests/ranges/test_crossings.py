@@ -187,7 +187,7 @@ def test_growing_roots_of_a_half_disc_are_no_count(monkeypatch: pytest.MonkeyPat
     def within_1(problem: Problem, **asked: Any) -> Any:
         return certify_problem(problem, **(asked | {"region": HalfPlane(Fraction(1))}))
 
-    monkeypatch.setattr("mpsolve.ranges.crossings.certify_problem", within_1)
+    monkeypatch.setattr("mpsolve.ranges.base.certify_problem", within_1)
     found = crossings(PROBLEM, over={"v": ("0.75", "0.85")}, check=False)
     assert found.proofs[0].base.unstable == 2
     assert found.status is Status.UNDECIDED

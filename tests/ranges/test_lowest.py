@@ -6,9 +6,12 @@ import pytest
 from flint import arb
 from lowest_roots import assert_lowest, pair
 
-from mpsolve import worst
+from mpsolve import Problem, certify, tracks, vehicles, worst
 from mpsolve.numbers.balls import precision
+from mpsolve.problem.family import Family
 from mpsolve.ranges import line, lowest
+from mpsolve.ranges.least_seen import Seen
+from mpsolve.spectrum.candidates import Area
 
 
 @pytest.mark.parametrize(
@@ -53,3 +56,19 @@ def test_next_to_an_end_one_line_tells_all(monkeypatch: pytest.MonkeyPatch) -> N
     found = worst(pair("0.99", "0.5"), over={"gap[0]": (1, 5)}, check=False)
     assert (found.where, len(asked)) == ("inside", 1)
     assert abs(float(found.value.mid()) - 1.12328854764379) < 1e-13  # type: ignore[union-attr]
+
+
+def test_a_certified_root_below_the_one_that_floats_saw_is_taken_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The bounce of a coach was not seen far below the waves of its track, and a minute led to nothing."""
+    track = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e8", c="1e5")
+    sprung = Problem(track, vehicles.Oscillator(wheel=1000, body=10000, k="1e6", c="1e4"), v=60)
+    other = next(root.q for root in certify(sprung, check=False).roots if root.q.real > 300)
+
+    def wrong(family: Family, low: float, high: float, _area: Area) -> Seen:
+        return Seen((low + high) / 2, complex(other) / float(family.frequency_unit), (high - low) / 16)
+
+    monkeypatch.setattr(lowest, "least_seen", wrong)
+    found = worst(sprung, over={"v": (50, 80)}, check=False)
+    assert (found.proved, found.where) == (True, "start"), found.reason
+    at_50 = certify(sprung.changed("v", 50), check=False)
+    assert all(found.q.imag.overlaps(root.q.imag) or root.q.imag > found.q.imag for root in at_50.roots)  # type: ignore[union-attr]

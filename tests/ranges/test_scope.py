@@ -99,3 +99,8 @@ def test_slower_than_long_waves_the_reason_comes_at_once() -> None:
         assert float(found.reason.numbers["speed"]) == pytest.approx(float(track.g * track.depth) ** 0.5, rel=1e-5)
         assert "v = 8.16" in str(found.reason)
     assert scope_of(ice, {"v": (Fraction("8.5"), Fraction(9))}).X > 0
+
+
+def test_ends_may_have_units() -> None:
+    wire = Problem(tracks.String(T=1, m=1), vehicles.Mass(1), v=0)
+    assert checked_over(wire, {"v": ("0 km/h", "36 km/h")}) == {"v": (0, 10)}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from dataclasses import replace
 from fractions import Fraction
@@ -12,7 +11,7 @@ from endless_rows import masses
 from mpsolve import Effort, infinite_train
 from mpsolve.endless.amplification import Amplification, Peak
 from mpsolve.outcome import Reason, Status
-from mpsolve.report.trains import train_json, train_text
+from mpsolve.report.trains import train_data, train_text
 
 ROW = masses("0.195").problem
 FOUND = infinite_train(ROW, "1.5")
@@ -40,19 +39,19 @@ def test_in_SI_each_number_has_its_unit() -> None:
 
 
 def test_machines_get_the_same() -> None:
-    content = json.loads(train_json("Row", FOUND, RATIOS, 16))
+    content = train_data("Row", FOUND, RATIOS, 16)
     assert (content["status"], content["stable"]) == (FOUND.status.value, FOUND.stable)
     assert content["computed"]["back"] == {"factor": FOUND.back.factor, "frequency": FOUND.back.q}
     assert content["train"]["ahead"] == {"low": 1.23456789, "high": 1.2345999, "frequency": 0.5}
     assert content["train"]["back"]["high"] is None
-    assert "train" not in json.loads(train_json("", FOUND, None, 1))
+    assert "train" not in train_data("", FOUND, None, 1)
 
 
 def test_a_reason_stands_in_both() -> None:
     why = Reason("effort", "the effort is spent", {}, "allow more")
     open_ = replace(RATIOS, status=Status.UNDECIDED, stable=None, ahead=None, back=None, reason=why)
     early = infinite_train(masses("0.18").problem, "1.5", effort=Effort(evaluations=1000))
-    text, content = train_text("", early, open_, 3, si=False), json.loads(train_json("", early, open_, 3))
+    text, content = train_text("", early, open_, 3, si=False), train_data("", early, open_, 3)
     assert "train of 3: not decided" in text
     assert "the effort is spent" in text
     assert content["train"]["reason"]["code"] == content["reason"]["code"] == "effort"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from mpsolve import Case, Problem, tracks, vehicles
+from mpsolve.presets.written import problem_of
 from mpsolve.problem.cases import as_problem
 from mpsolve.problem.line import on_line
 from mpsolve.problem.reduced import reduce_problem
@@ -60,3 +61,14 @@ def test_roots_next_to_a_high_line_of_cuts_are_found() -> None:
     areas = (Area(0.0, 2.3, -1.4, 0.9, 0.9), Area(0.0, 2.3, 0.9, 3.2, 0.9))
     found = find_roots(reduced, areas, count.total, np.zeros(0, complex))
     assert sum(map(both, found.tolist())) == count.total == 22
+
+
+def test_bodies_on_soft_springs_are_found_far_below_the_waves_of_the_track() -> None:
+    """The body of the Manchester coach vibrates as on a rigid rail: a mass and an inertia on two springs in row."""
+    reduced = reduce_problem(problem_of("ballasted", "manchester")[0])
+    unit = float(reduced.frequency_unit)
+    found = search(reduced, Area(0.0, 2.0, -1.0, 30 / unit), np.zeros(0, complex), 1) * unit
+    k = 1 / (1 / 430e3 + 1 / 2400e3)  # of one bogie: the secondary springs over the primary ones
+    for moved, stiffness in ((16000.0, 2 * k), (985000.0, 2 * k * 9.5**2)):
+        alone = np.sqrt(stiffness / moved)
+        assert np.abs(np.abs(found) - alone).min() < 0.03 * alone

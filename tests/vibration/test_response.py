@@ -24,3 +24,21 @@ def test_balls_and_digits_of_a_case():
 def test_what_is_no_problem_is_refused():
     with pytest.raises(InputError, match="problem"):
         response("x", times=[1])
+
+
+@pytest.mark.parametrize(
+    ("given", "options", "said"),
+    [
+        (as_problem(CASE), {"tau": [1]}, r"response\(\) of a Problem missing a required argument: 'times': its arg"),
+        (as_problem(CASE), {"times": [1], "tau": [1]}, "of a Problem got an unexpected keyword argument 'tau'"),
+        (as_problem(CASE), {}, r"response\(\) of a Problem missing a required .*'times'"),
+        (as_problem(CASE), {"times": [1], "digits": 20}, "of a Problem .*'digits'"),
+        (CASE, {"times": [1]}, r"response\(\) of a case of the paper .*'times': its arguments are loads, xi, tau"),
+        (CASE, {"tau": [1], "balls": True, "initial": "rest"}, "of a case of the paper .*'initial'"),
+        (CASE, {"tau": [1], "digits": 9, "places": [0]}, "of a case of the paper .*'places'"),
+    ],
+)
+def test_a_wrong_argument_is_one_of_response(given, options, said):
+    """It was one of `vibrate()` or `motion_of_case()`, which nobody had called."""
+    with pytest.raises(TypeError, match=said):
+        response(given, **options)
