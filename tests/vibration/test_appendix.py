@@ -42,7 +42,7 @@ def agree_with_the_inverse_transform(case: Case, loads: Any, times: tuple[float,
         truth = Inversion(case, loads, GROWTH)(xi, tau)
         again = Inversion(case, loads, 2 * GROWTH, 20, SECOND)(xi, tau)
         assert np.abs(again - truth).max() < 1e-11
-        assert np.abs(w - truth).max() < 1e-9
+        assert np.abs(w - truth).max() < min(found.error, 1e-8)
         assert np.abs(truth).max() > 1e-3
 
 
