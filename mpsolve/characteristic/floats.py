@@ -22,6 +22,7 @@ from mpsolve.characteristic.symbol import Symbols, horner, slope_in_P
 from mpsolve.frozen import frozen
 from mpsolve.numbers.arrays import Complexes, Truths
 from mpsolve.numbers.float64 import Float64
+from mpsolve.numbers.jets import U
 from mpsolve.problem.reduced import Guide, Reduced
 
 _K = Float64()
@@ -29,6 +30,8 @@ _NEAR = 0.15
 """Roots of one side that are nearer than this, relative to the larger, are taken together."""
 _TIE = 1e-9
 _AHEAD = 1e-7
+_LOST = 1e-6
+"""Of G, or of the distance of a p-root to the next one: what is too much."""
 
 
 @frozen
@@ -87,6 +90,23 @@ class Receptance:
                 for row, values in zip(rows, better, strict=True):
                     row[near] = values
         return G, G_sigma
+
+    def doubtful(self, sigma: Any, farthest: float) -> Truths:
+        """Where p-roots may be off by so much that G is wrong in the sixth digit as far as `farthest`; an estimate.
+
+        A root is known to what rounding D there does to it. Its side is not known where that reaches over the axis
+        while a neighbour is near, and companion matrices lose what their largest coefficient is above 1.
+        """
+        z, local = self.roots(sigma), self._local(sigma)
+        with np.errstate(all="ignore"):
+            off = 16 * U * horner([abs(c) for c in local.D], abs(z)) / abs(horner(slope_in_P(local.D), z))
+            apart = np.abs(z[:, :, None] - z[:, None, :]) + np.where(np.eye(z.shape[1]), np.inf, 0)
+            beside = np.abs(z.real) <= 100 * off + _TIE * np.abs(z).max(-1, keepdims=True, initial=0)
+            unclear = (beside & (off > _LOST * apart.min(-1, initial=np.inf))).any(-1)
+            sizes = [np.abs(c) for side in self._sides(z) for c in monic([side[:, k] for k in range(side.shape[1])])]
+            together = 64 * U * max(1.0, farthest) * np.max([np.ones(len(z)), *sizes], 0) > _LOST
+            alone = (off * farthest > _LOST).any(-1)
+            return unclear | np.where(self._meet(z), together, alone) | ~np.isfinite(z).all(-1)
 
     def together(
         self, sigma: Any, z: Any, xi: Sequence[Fraction], slope: bool

@@ -9,12 +9,17 @@ from typing import Any
 import numpy as np
 
 from mpsolve.characteristic.floats import Receptance
-from mpsolve.errors import InputError
+from mpsolve.characteristic.proved import told_apart
+from mpsolve.characteristic.roots import float_roots
+from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.arrays import Complexes
+from mpsolve.numbers.balls import acb, precision
 from mpsolve.numbers.model import rational, shown
 from mpsolve.problem.reduced import track_guide
 from mpsolve.tracks.at_rest import Status, at_rest
 from mpsolve.tracks.waveguide import Track, Waveguide
+
+_BITS = 320
 
 
 def receptance(track: Any, xi: Any, omega: Any, v: object = 0) -> Complexes:
@@ -45,15 +50,31 @@ def receptance(track: Any, xi: Any, omega: Any, v: object = 0) -> Complexes:
     guide = local.guide
     unit = Fraction(2) ** guide.length
     exact = [Fraction(float(x)) / unit for x in places]
+    sigma = 1j * points * 2.0**guide.time
     with np.errstate(all="ignore"):
         try:
-            rows = local(1j * points * 2.0**guide.time, exact, slope=False)[0]
-        except (ArithmeticError, np.linalg.LinAlgError):  # no number of float64, or no roots that are told apart
-            raise _out_of_reach() from None
-        table = float(guide.g) * np.array(rows).reshape(len(places), len(points))
+            doubtful = local.doubtful(sigma, max((float(abs(x)) for x in exact), default=0.0))
+            table = np.empty((len(places), len(points)), complex)
+            table[:, ~doubtful] = local(sigma[~doubtful], exact, slope=False)[0]
+            for k in np.flatnonzero(doubtful):
+                table[:, k] = _sharp(local, complex(sigma[k]), exact)
+        except (ArithmeticError, ValueError, np.linalg.LinAlgError, PrecisionError):
+            raise _out_of_reach() from None  # no number of float64, or no roots that are told apart
+        table *= float(guide.g)
     if not np.isfinite(table).all():
         raise _out_of_reach()
     return table
+
+
+def _sharp(local: Receptance, sigma: complex, xi: list[Fraction]) -> list[complex]:
+    """Ĝ with as many bits as tell all p-roots apart, a little to the right of the imaginary axis if σ is on it."""
+    with precision(_BITS):
+        at = acb(sigma.real or 2.0**-100 * max(abs(sigma), 1.0), sigma.imag)
+        D = [row(at) for row in local.symbols.D.balls()]
+        found = told_apart(local.symbols, at, (D, float_roots(D, local.symbols.degree)), local.upper)
+        if found is None:
+            raise PrecisionError("p-roots nearly meet")
+        return [complex(g) for g in found.receptances(xi, slope=False)[0]]
 
 
 @lru_cache(maxsize=32)

@@ -118,18 +118,19 @@ def split_ball(symbols: Symbols, sigma: Any, upper: int) -> ProvedSplitting:
         factors = factor_balls(symbols.D, sigma, z, upper)
         signed = sides(factors, z, upper)
     except PrecisionError:
-        found = _told_apart(symbols, sigma, (middle, z), upper)
+        found = told_apart(symbols, sigma, (middle, z), upper)
         if found is None:
             raise
         return found
-    found = None if signed else _told_apart(symbols, sigma, (middle, z), upper)
+    found = None if signed else told_apart(symbols, sigma, (middle, z), upper)
     return found or ProvedSplitting(symbols, sigma, upper, None, factors, signed)
 
 
-def _told_apart(
-    symbols: Symbols, sigma: Any, near: tuple[list[acb], Complexes], upper: int
-) -> ProvedSplitting | None:
-    """The splitting by sides where roots of both nearly meet, closer than floats tell; None where it is open."""
+def told_apart(symbols: Symbols, sigma: Any, near: tuple[list[acb], Complexes], upper: int) -> ProvedSplitting | None:
+    """The splitting by sides where roots nearly meet, closer than floats tell; None where it is open.
+
+    near: the coefficients of D at the middle, and floats near its roots.
+    """
     try:
         roots = tuple(root_balls(symbols.D, sigma, sharp_roots(*near)))
     except PrecisionError:

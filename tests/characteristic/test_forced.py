@@ -9,10 +9,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy
 
 from mpsolve.characteristic.forced import receptance
 from mpsolve.errors import InputError
-from mpsolve.tracks import EulerBernoulli, String, TwoLayer
+from mpsolve.tracks import EulerBernoulli, String, TwoLayer, Waveguide
 
 CSV = Path(__file__).parents[1] / "data" / "rolland_mobility.csv"
 EI = 210 * 10**9 * Fraction("3038.30e-8")
@@ -93,3 +94,26 @@ def test_bad_input(track: Any, xi: Any, omega: Any, v: Any, key: str) -> None:
     with pytest.raises(InputError) as caught:
         receptance(track, xi, omega, v=v)
     assert caught.value.key == key
+
+
+def beside_an_oscillator(xi: float, omega: float, v: float) -> complex:
+    """The string T = m = k = 1 by itself: D_p = ±2√… at its two waves, ahead of the force or behind it."""
+    root = np.sqrt(omega**2 - (1 - v**2) + 0j)  # half of the discriminant of (1 − v²) p² + 2 v ω p − ω² + 1
+    waves = [((-v * omega + sign * root) / (1 - v**2), sign) for sign in (1, -1)]
+    if v > 1:
+        ahead, behind = [], waves
+    else:  # energy runs ahead in the wave with D_p < 0 at real frequencies
+        ahead, behind = [waves[1]], [waves[0]]
+    side, turn = (ahead, 1j) if xi >= 0 else (behind, -1j)
+    return complex(sum(turn * np.exp(1j * p * xi) / (2 * sign * root) for p, sign in side))
+
+
+@pytest.mark.parametrize(("v", "omega"), [("2", 1e4), ("2", 1e6), ("1/1000000", 2.0), ("1/1000000", 50.0)])
+def test_waves_that_floats_do_not_tell_apart(v: str, omega: float) -> None:
+    """Oscillators that nothing couples to the string carry two more waves, near ω/v and nearly one."""
+    p, frequency = sympy.symbols("p Omega")
+    track = Waveguide([[p**2 - frequency**2 + 1, 0], [0, sympy.Rational(31, 16) - 5 * frequency**2]], loaded=0)
+    xi = [0.0, 0.5, -0.5, 3.0, -3.0]
+    expected = np.array([beside_an_oscillator(x, omega, float(Fraction(v))) for x in xi])
+    found = receptance(track, xi, omega, v=v)[:, 0]
+    assert np.abs(found - expected).max() < 1e-6 * np.abs(expected).max()
