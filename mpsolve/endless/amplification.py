@@ -13,6 +13,7 @@ from mpsolve.endless.ratio import Ratio
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.jets import nearest
 from mpsolve.numbers.model import rational, shown
+from mpsolve.numbers.plain import float_beside
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.passivity.tail import prove_tail
@@ -88,7 +89,7 @@ def amplification(
     if isinstance(tolerance, bool) or not 1e-12 <= tolerance <= 1:
         raise InputError("tolerance", f"is {tolerance!r}: give a relative width from 1e-12 to 1")
     ends = _band(reduced, band)
-    low, high = (float(x / reduced.frequency_unit) for x in ends)
+    low, high = (float_beside(x / reduced.frequency_unit, up) for x, up in zip(ends, (False, True), strict=True))
     tell("stability", 0.0)
     stable = certify(train, region="unstable", digits=_DIGITS, check=False, effort=effort).stable
     arrays, peaks, reason = Arrays(reduced), [], None

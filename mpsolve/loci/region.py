@@ -15,6 +15,7 @@ from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.errors import InputError
 from mpsolve.loci.room import Room
 from mpsolve.numbers.model import rational, shown
+from mpsolve.numbers.plain import float_beside
 from mpsolve.problem.family import Family
 from mpsolve.problem.line import moved_in_s
 from mpsolve.ranges.edge import REAL_AXIS, Edge
@@ -44,7 +45,7 @@ class Side:
 
 @dataclass(frozen=True)
 class Region:
-    """Scaled: the height h (0: Im q < 0 alone) and the reach."""
+    """Scaled, and numbers of float64 both: the height h (0: Im q < 0 alone) and the reach."""
 
     scope: Scope
     height: Fraction
@@ -88,7 +89,8 @@ class Region:
 
 
 def region_of(scope: Scope, asked: object = None) -> Region:
-    """None: below the cuts. "unstable": Im q < 0. ("below", h): up to a height in the problem's units.
+    """None: below the cuts. "unstable": Im q < 0. ("below", h): up to a height in the problem's units, rounded down
+    to a float in scaled ones, as boxes stand on it.
 
     OpenError where no frequency is found beyond which contacts are passive; InputError for a height at the cuts.
     """
@@ -100,7 +102,7 @@ def region_of(scope: Scope, asked: object = None) -> Region:
     if isinstance(asked, tuple) and len(asked) == 2 and asked[0] == "below":
         height = rational(asked[1], "region")
         if height > 0:
-            scaled = height / scope.family.frequency_unit
+            scaled = Fraction(float_beside(height / scope.family.frequency_unit, up=False))
             if not _below_cuts(scope.family, scaled):
                 stated = f"reaches up to {shown(height)}, which is not proved to lie below all cuts of the range"
                 raise InputError("region", f"{stated}: give a smaller height")

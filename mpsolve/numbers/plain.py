@@ -26,6 +26,12 @@ def outward(ball: Any, up: bool) -> float:
         return x
 
 
+def float_beside(x: Fraction, up: bool) -> float:
+    """The float next to an exact number that is not below (above) it; the number itself where it is one."""
+    value = float(x)
+    return value if value == x or (value > x) == up else math.nextafter(value, math.inf if up else -math.inf)
+
+
 def disc_of(ball: Any) -> tuple[complex, float]:
     """(middle, radius) in floats of a disc that holds a complex ball."""
     with precision(64):

@@ -21,6 +21,7 @@ from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.balls import acb, precision, rational_ball
 from mpsolve.numbers.decimals import working_bits
 from mpsolve.numbers.model import velocities, whole
+from mpsolve.numbers.plain import float_beside, outward
 from mpsolve.numbers.realroots import as_fmpq, positive_roots
 from mpsolve.outcome import Reason, Status
 from mpsolve.passivity.answer import Kind, PassivityVelocity
@@ -175,7 +176,7 @@ class _Search:
 
     def _whole(self, low: Fraction, high: Fraction) -> PassivityVelocity:
         self.tell("cover", 0.2)
-        if len(self._covered(low, _up(high), 0.0)):
+        if len(self._covered(low, float_beside(high, up=True), 0.0)):
             return self._open("boxes", "the balance of power is too close at some frequency to be decided", None)
         with precision(self.bits):
             to = rational_ball(high * self.unit)
@@ -207,18 +208,16 @@ class _Search:
             return self._open("corner", "the loss at q → 0 is not proved to be the first", None)
         below = max(Fraction(found.below), low)
         self.tell("cover", 0.3)
-        with precision(64):
-            top = _up(Fraction(float(value.upper())))
-        if len(self._covered(below, top, found.reach)):
+        if len(self._covered(below, outward(value, up=True), found.reach)):
             return self._open("boxes", "the balance of power next to the loss is too close to be decided", None)
-        if below > low and len(self._covered(low, _up(below), 0.0)):
+        if below > low and len(self._covered(low, float_beside(below, up=True), 0.0)):
             return self._open("boxes", "the balance of power is too close at some frequency to be decided", None)
         with precision(self.bits):
             v = value * rational_ball(self.unit)
         return self._result(Kind.LOST, v, v, Status.UNVERIFIED)
 
     def _covered(self, low: Fraction, high: float, first: float) -> Reals:
-        return cover(Strip(Moving(self.guide, self.upper), _down(low), high), first, self.effort)
+        return cover(Strip(Moving(self.guide, self.upper), float_beside(low, up=False), high), first, self.effort)
 
     def _open(self, code: str, message: str, to: Any, remedy: str = "") -> PassivityVelocity:
         return self._result(Kind.UNDECIDED, None, to, Status.UNDECIDED, Reason(code, message, {}, remedy))
@@ -229,13 +228,3 @@ class _Search:
         with precision(self.bits):
             speeds = tuple(ball * rational_ball(self.unit) for ball in self.speeds)
         return PassivityVelocity(kind, value, self.low, self.high, to, speeds, status, reason)
-
-
-def _up(x: Fraction) -> float:
-    """The nearest float, or the next one above it where that is below x."""
-    near = float(x)
-    return near if Fraction(near) >= x else float(np.nextafter(near, np.inf))
-
-
-def _down(x: Fraction) -> float:
-    return -_up(-x)

@@ -11,13 +11,14 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
-from math import ceil, inf, log2, nextafter
+from math import ceil, log2
 from typing import Any
 
 import numpy as np
 from flint import arb
 
 from mpsolve.numbers.balls import acb, precision, rational_ball
+from mpsolve.numbers.plain import float_beside
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
@@ -139,7 +140,8 @@ class Question:
         counted = self.base.region
         if getattr(counted, "radius", None) is not None or (height > 0 and getattr(counted, "reach", None) is None):
             raise OpenError(Reason("reach", "no frequency bounds the roots at one point", {}, NEXT))
-        reach = _down(counted.reach / family.frequency_unit) if isinstance(counted, Below) and counted.reach else None
+        scaled = counted.reach / family.frequency_unit if isinstance(counted, Below) and counted.reach else None
+        reach = None if scaled is None else float_beside(scaled, up=False)
         level, total = rational_ball(h), 0
         for root in self.base.roots:
             if root.q.imag < level:
@@ -233,9 +235,3 @@ def _elsewhere(line: Line, found: Candidate) -> tuple[float, float] | None:
         if not a <= x <= b and b - a > widest:
             best, widest = (a, b), b - a
     return best
-
-
-def _down(x: Fraction) -> float:
-    """A float at or below an exact number."""
-    value = float(x)
-    return value if Fraction(value) <= x else nextafter(value, -inf)

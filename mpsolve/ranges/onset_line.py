@@ -22,6 +22,7 @@ from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.balls import arb, precision, rational_ball
 from mpsolve.numbers.decimals import working_bits
 from mpsolve.numbers.jets import UP
+from mpsolve.numbers.plain import float_beside
 from mpsolve.numbers.realroots import short_between
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.family import family_of
@@ -182,11 +183,9 @@ class _Line:
 
     def _bounds(self, scope: Scope) -> tuple[Reals, Reals]:
         """Floats at or below, and at or above, each value, scaled."""
-        near = self._scaled(scope.family.units[1])
         exact = [value / scope.family.units[1] for value in self.values]
-        low = [x if Fraction(x) <= y else np.nextafter(x, -np.inf) for x, y in zip(near.tolist(), exact, strict=True)]
-        high = [x if Fraction(x) >= y else np.nextafter(x, np.inf) for x, y in zip(near.tolist(), exact, strict=True)]
-        return np.array(low), np.array(high)
+        low, high = (np.array([float_beside(x, up) for x in exact]) for up in (False, True))
+        return low, high
 
     def _proved(self, scope: Scope, known: list[_Met]) -> list[_Met]:
         """Those before which nothing else crosses."""

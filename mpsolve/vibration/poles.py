@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.errors import PrecisionError
+from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.float64 import companions
+from mpsolve.problem.cases import as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.proof.effort import Effort
@@ -53,6 +54,14 @@ class Poles:
     @property
     def growth(self) -> float:
         return max((pole.sigma.real for pole in self.poles), default=0.0)
+
+
+def require_own(problem: Problem, spectrum: object) -> None:
+    """InputError unless the spectrum is one of the problem, or none is given."""
+    if spectrum is not None and not isinstance(spectrum, Spectrum):
+        raise InputError("spectrum", f"is of type {type(spectrum).__name__}: give certify(problem)")
+    if spectrum is not None and as_problem(spectrum.problem) != problem:
+        raise InputError("spectrum", "is that of another problem: give certify(problem)")
 
 
 def certified(image: Image, spectrum: Spectrum) -> Poles:

@@ -33,7 +33,7 @@ from mpsolve.vibration.image import Image
 from mpsolve.vibration.integral import sampled_line
 from mpsolve.vibration.motion import PreciseVibration, fields_of, split, unknown_precise
 from mpsolve.vibration.path import Path
-from mpsolve.vibration.poles import Poles, certified, natural
+from mpsolve.vibration.poles import Poles, certified, natural, require_own
 from mpsolve.vibration.vibrate import checked_places
 
 MOST = 200
@@ -70,6 +70,7 @@ def response_mp(
         raise InputError("times", "hold none, or one that is not above 0: give times above 0")
     work, said = begun(effort), progress or silent
     image = Image(problem, checked_places(problem, places))
+    require_own(problem, spectrum)
     outer = outer_forces(image.pencil, loads)
     K = Multiprecision(digits + _GUARD)
     precise = PreciseImage(K.mp, image, exact_terms(image.pencil, loads), digits + _GUARD)

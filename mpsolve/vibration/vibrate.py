@@ -25,7 +25,7 @@ from mpsolve.vibration.engine import Engine
 from mpsolve.vibration.forcing import Irregularity, Tone, checked_irregularities, tones
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.motion import Vibration, vibration
-from mpsolve.vibration.poles import certified, searched
+from mpsolve.vibration.poles import certified, require_own, searched
 from mpsolve.vibration.solution import Parts, Solution, unknown_parts, unknown_solution
 
 STARTS = ("rest", "steady")
@@ -63,6 +63,7 @@ def vibrate(
     """
     work, said, poles = begun(effort), progress or silent, None
     image, acting, held, at = _checked(problem, loads, times, places, irregularities, initial)
+    require_own(problem, spectrum)
     own = replace(image, effort=work)
     with one_thread():
         try:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import pytest
 from endless_rows import masses
 
 from mpsolve import Effort, InputError, amplification
 from mpsolve.endless.axis import gains
 from mpsolve.endless.bloch import Bloch
+from mpsolve.endless.ratio import Largest, Ratio
+from mpsolve.problem.reduced import reduce_problem
 
 
 def test_it_grows_with_the_train_where_the_row_does_and_falls_where_it_does_not() -> None:
@@ -21,6 +25,22 @@ def test_it_grows_with_the_train_where_the_row_does_and_falls_where_it_does_not(
     assert back[32].ahead.high < back[16].ahead.low  # type: ignore[union-attr]
     calm = [amplification(masses("0.1").train(n)).back for n in (8, 16)]
     assert calm[1].high < calm[0].low  # type: ignore[union-attr]
+
+
+def test_a_band_whose_ends_are_no_floats_is_looked_at_whole(monkeypatch: pytest.MonkeyPatch) -> None:
+    seen = []
+
+    def largest(_: Ratio, low: float, high: float, *__: object) -> Largest:
+        seen.append((low, high))
+        return Largest(0.0, 1.0, low)
+
+    monkeypatch.setattr(Ratio, "largest", largest)
+    for band in (("1/10", "1/3"), ("2/5", "9/10"), ("3/7", "6/7")):
+        train = masses("0.4").train(2)
+        amplification(train, band=band)
+        unit = reduce_problem(train).frequency_unit
+        assert all(Fraction(low) * unit <= Fraction(band[0]) for low, _ in seen[-2:])
+        assert all(Fraction(high) * unit >= Fraction(band[1]) for _, high in seen[-2:])
 
 
 def test_at_rest_both_directions_are_alike() -> None:

@@ -25,6 +25,17 @@ def test_the_height_is_below_the_cuts_of_all_values() -> None:
     assert region_of(scope, ("below", "0.0299")).height
 
 
+def test_boxes_stand_on_the_height_itself() -> None:
+    """They are floats: a height that is none would be that of another line."""
+    scope = scope_of(PROBLEM, {"v": (Fraction("0.5"), Fraction("0.6"))})
+    for asked in ("0.04", "0.03", "1/30"):
+        region = region_of(scope, ("below", asked))
+        top, right = region.sides
+        assert -Fraction(top.edge.origin.real) == region.height == -Fraction(right.low)
+        assert 0 <= Fraction(asked) - region.height * scope.family.frequency_unit < Fraction(1, 10**17)
+        assert region.answered.height == region.height * scope.family.frequency_unit
+
+
 def test_a_track_that_stays_has_the_height_of_certify() -> None:
     scope = scope_of(PROBLEM, {"v": (Fraction("0.5"), Fraction("0.6"))})
     height = region_of(scope).height * scope.family.frequency_unit

@@ -11,7 +11,7 @@ import numpy as np
 from flint import acb, arb
 
 from mpsolve.numbers.balls import precision
-from mpsolve.numbers.plain import disc_of, outward, plain, shown_digits
+from mpsolve.numbers.plain import disc_of, float_beside, outward, plain, shown_digits
 from mpsolve.outcome import Reason
 
 
@@ -32,6 +32,14 @@ def test_floats_of_a_ball_hold_it() -> None:
         assert arb(low) < ball < arb(high)
         assert high - low < 1e-15
     assert (outward(arb(0.5), up=False), outward(arb(0.5), up=True)) == (0.5, 0.5)
+
+
+def test_floats_beside_an_exact_number_are_next_to_it() -> None:
+    for x in (Fraction(1, 3), Fraction(-1, 3), Fraction(2, 3), Fraction(1, 10), Fraction(10**400 + 1, 10**399)):
+        low, high = float_beside(x, up=False), float_beside(x, up=True)
+        assert Fraction(low) < x < Fraction(high)
+        assert high == np.nextafter(low, np.inf)
+    assert [float_beside(Fraction(3, 4), up) for up in (False, True)] == [0.75, 0.75]
 
 
 def test_data_is_plain() -> None:

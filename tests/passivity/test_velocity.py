@@ -4,13 +4,20 @@ from __future__ import annotations
 
 import pickle
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pytest
+from flint import arb
 from passive_subjects import RAIL
 
 from mpsolve import InputError, Problem, Status, certify, passivity_velocity, tracks, vehicles
+from mpsolve.numbers.balls import precision, rational_ball
+from mpsolve.passivity import velocity
 from mpsolve.passivity.answer import Kind
+from mpsolve.passivity.corner import unscaled
+from mpsolve.passivity.cover import Moving, Strip
+from mpsolve.problem.reduced import track_guide
 from mpsolve.proof.effort import Effort
 
 
@@ -30,6 +37,25 @@ def test_the_papers_beam(eta_b: str, known: str) -> None:
         v = Fraction(known) * (1 + side * Fraction(1, 4000))
         heavy = certify(Problem(beam(eta_b), vehicles.Mass(10**7), v=v), region="unstable", check=False)
         assert heavy.count == count
+
+
+def test_the_velocities_up_to_the_loss_itself_are_covered(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The float nearest to the loss lies below it for about half of these beams."""
+    tops = []
+
+    def cover(strip: Strip, first: float, effort: Effort) -> Any:
+        tops.append(strip.high)
+        return whole(strip, first, effort)
+
+    whole = velocity.cover
+    monkeypatch.setattr(velocity, "cover", cover)
+    for eta_b in ("0.3", "0.35", "0.4", "0.45", "0.5"):
+        tops.clear()
+        found = passivity_velocity(beam(eta_b), over={"v": (0, 2)})
+        assert found.kind is Kind.LOST
+        unit = unscaled(Moving(track_guide(beam(eta_b), Fraction(0)), 0))
+        with precision(200):
+            assert arb(max(tops)) * rational_ball(unit) >= found.value
 
 
 def test_a_whole_range() -> None:

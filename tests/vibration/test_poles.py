@@ -8,7 +8,7 @@ import pytest
 from track_models import DAMPED
 from vehicle_models import TYPICAL
 
-from mpsolve import Case, Load, Problem, certify, response, tracks, vehicles
+from mpsolve import Case, InputError, Load, Problem, certify, response, response_balls, response_mp, tracks, vehicles
 from mpsolve.problem.cases import as_problem
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.poles import certified, room, searched
@@ -26,6 +26,21 @@ def test_the_roots_are_the_certified_ones(track: str, vehicle: str, v: int) -> N
     )
     assert mine == pytest.approx(theirs, rel=1e-9)
     assert found.cut == known.cut < known.floor < 0
+
+
+def test_the_spectrum_of_another_problem_is_refused_by_every_motion() -> None:
+    """Its roots would stand under `induced`, with harmonic parts of another motion."""
+    beam = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.2")
+    one, other = (Problem(beam, vehicles.Mass(M), v="0.5") for M in (3, "3.05"))
+    spectrum = certify(other, check=False)
+    for given, said in ((spectrum, "another problem"), ("pair.json", "type str")):
+        with pytest.raises(InputError, match=said):
+            response(one, times=[1.0], spectrum=given)
+        with pytest.raises(InputError, match=said):
+            response_balls(one, times=[1], spectrum=given)
+        with pytest.raises(InputError, match=said):
+            response_mp(one, times=[1], digits=15, spectrum=given)
+    assert response(other, times=[1.0], spectrum=spectrum).error.rail < 1e-8
 
 
 def test_roots_that_grow_are_found_where_cuts_touch_the_axis() -> None:

@@ -41,7 +41,7 @@ from mpsolve.vibration.balls.work import Work
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.motion import fields_of
 from mpsolve.vibration.path import above_growth
-from mpsolve.vibration.poles import certified
+from mpsolve.vibration.poles import certified, require_own
 from mpsolve.vibration.vibrate import checked_places
 
 MOST = 100
@@ -99,8 +99,7 @@ def response_balls(
     digits = whole(digits, "digits", 1, MOST)
     if not isinstance(problem, Problem):
         raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem")
-    if spectrum is not None and spectrum.problem != problem:
-        raise InputError("spectrum", "is that of another problem: give certify(problem)")
+    require_own(problem, spectrum)
     exact = tuple(rational(t, "times") for t in times)
     if not exact or min(exact) <= 0:
         raise InputError("times", "hold none, or one that is not above 0: give times above 0")
