@@ -36,6 +36,7 @@ def answered(
     """
     from mpsolve.problem.inputfile import read_source
     from mpsolve.report.ranges_asked import asked
+    from mpsolve.report.ranges_words import report_of
 
     source = read_source(file)
     checked_file(output, file, "the answer", suffixes)
@@ -46,7 +47,7 @@ def answered(
     if as_json:
         echo_json(_data(said))
     else:
-        say("\n".join(one.text for one in said))
+        say(report_of(said))
     if certificate is not None:
         _certify(certificate, said, as_json)
     if output is not None:

@@ -2,13 +2,25 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from mpsolve import cli_vibration
-from mpsolve.cli_tools import FILE, PATH, checked_file, command, output, progress, seconds_of
+from mpsolve.cli_tools import (
+    FILE,
+    PATH,
+    UNDECIDED,
+    checked_file,
+    command,
+    effort_of,
+    output,
+    progress,
+    say,
+    seconds_of,
+)
 from mpsolve.errors import InputError
 
 if TYPE_CHECKING:
@@ -57,6 +69,7 @@ _SUFFIXES = (".csv", ".json", ".npz", ".png", ".svg", ".pdf")
     help='In s: uneven wheels, AMPLITUDE,RADIUS[,TIMES A TURN[,CONTACT]] as "0.1 mm, 0.46 m, 3".',
 )
 @click.option("--animate", type=PATH, help="In s: write a film of the rail as this FILE.svg.")
+@click.option("--effort", metavar="SECONDS", help="Processor time that the motion may take, and a film again.")
 def response(
     file: Path,
     output: Path | None,
@@ -67,6 +80,7 @@ def response(
     roughness: str | None,
     out_of_round: str | None,
     animate: Path | None,
+    effort: str | None,
 ) -> None:
     """Compute the motion of the vehicles in FILE (TOML), and when a wheel first lifts off, in float64.
 
@@ -81,7 +95,8 @@ def response(
     Columns of a table: w is the sum of steady (what the loads keep up), harmonic (at the induced frequencies) and
     transient (the rest).
 
-    Exit status 0: written. 1: it could not be computed or written. 2: the input cannot be used.
+    Exit status 0: written. 1: it could not be computed or written, or not all of it within --effort. 2: the input
+    cannot be used.
     """
     from mpsolve.problem.casefile import InputFile
 
@@ -91,18 +106,23 @@ def response(
     if isinstance(source, InputFile):
         _only_in_seconds(initial=None if initial == "rest" else initial, animate=animate, roughness=roughness,
                          out_of_round=out_of_round)  # fmt: skip
-        found = cli_vibration.of_case(source, _grid(_last(end), points), places)
+        with progress() as tell:
+            work: dict[str, Any] = {"effort": effort_of(effort), "progress": tell}
+            found = cli_vibration.of_case(source, _grid(_last(end), points), places, **work)
     else:
         last = _seconds(end) or _last(end)
         checked_file(animate, file, "the film", (".svg",), "animate")
         rough = _irregularities(source.problem, roughness, out_of_round)
         with progress() as tell:
-            found = cli_vibration.of_problem(source, _grid(last, points), places, initial, rough, tell)
+            work = {"effort": effort_of(effort), "progress": tell}
+            found = cli_vibration.of_problem(source, _grid(last, points), places, initial, rough, **work)
         if animate is not None:
-            cli_vibration.film(source, animate, last, initial, rough)
+            cli_vibration.film(source, animate, last, initial, rough, effort_of(effort))
     if output is not None:
         found.write(output, kind, source.title)
-    click.echo("\n".join([*found.said, *(str(path) for path in (output, animate) if path is not None)]))
+    say("\n".join([*found.said, *(str(path) for path in (output, animate) if path is not None)]))
+    if not found.whole:
+        sys.exit(UNDECIDED)
 
 
 @command()

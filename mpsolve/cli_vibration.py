@@ -8,12 +8,13 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from mpsolve.errors import InputError, PrecisionError
+from mpsolve.errors import EffortError, InputError, PrecisionError
 
 if TYPE_CHECKING:
+    from mpsolve.outcome import Reason
     from mpsolve.problem.casefile import InputFile
     from mpsolve.problem.inputfile import ProblemFile
-    from mpsolve.progress import Progress
+    from mpsolve.proof.effort import Effort
     from mpsolve.vibration.case_motion import Response
     from mpsolve.vibration.case_units import Scale
     from mpsolve.vibration.forcing import Irregularity
@@ -26,12 +27,13 @@ _FRAMES, _SHAPE_POINTS, _AROUND = 120, 161, 12
 
 @dataclass(frozen=True)
 class Shown:
-    """What is to be said of a motion, and its tables and pictures, made when they are asked for."""
+    """What is to be said of a motion, its tables and pictures, made when they are asked for; whether it is whole."""
 
     said: list[str]
     columns: Callable[[], dict[str, Any]]
     picture: Callable[[Path, str], Any]
     arrays: Callable[[], dict[str, Any]] = dict
+    whole: bool = True
 
     def write(self, output: Path, kind: str, title: str) -> None:
         """The columns as CSV or JSON, the arrays as NPZ, or the picture, with this title."""
@@ -47,34 +49,42 @@ class Shown:
             self.picture(output, title)
 
 
+def _short(reason: Reason | None, motion: Any) -> list[str]:
+    """What is to be said where the effort ended; EffortError where nothing is known then."""
+    import numpy as np
+
+    if reason is None:
+        return []
+    if not np.isfinite(motion).any():
+        raise EffortError(reason)
+    return [f"Not all that was asked for: {reason}."]
+
+
 def of_problem(
-    source: ProblemFile,
-    times: Any,
-    places: list[str] | None,
-    initial: str,
-    rough: Rough,
-    tell: Progress | None = None,
+    source: ProblemFile, times: Any, places: list[str] | None, initial: str, rough: Rough, **work: Any
 ) -> Shown:
-    """The motion in SI."""
+    """The motion in SI; work: effort and progress."""
     from mpsolve.report.figures_motion import save_motion
     from mpsolve.vibration.table import arrays, columns
     from mpsolve.vibration.vibrate import vibrate
 
-    given: dict[str, Any] = {"initial": initial, "irregularities": rough, "progress": tell}
+    given: dict[str, Any] = {"initial": initial, "irregularities": rough, **work}
     found = vibrate(source.problem, source.loads, times=times, places=places, **given)
-    said = [*_summary(found), *warnings(source)]
-    return Shown(said, partial(columns, found), partial(save_motion, found), partial(arrays, found))
+    said = [*_short(found.reason, found.rail), *_summary(found), *warnings(source)]
+    made = partial(columns, found), partial(save_motion, found), partial(arrays, found)
+    return Shown(said, *made, whole=found.reason is None)
 
 
-def of_case(source: InputFile, tau: Any, places: list[str] | None) -> Shown:
+def of_case(source: InputFile, tau: Any, places: list[str] | None, **work: Any) -> Shown:
     """The motion of a case of the paper, in its units, or in s, mm and kN."""
     from mpsolve.report.figures_motion import save_motion
     from mpsolve.vibration.of_case import motion_of_case
     from mpsolve.vibration.table import case_arrays, case_columns
 
-    found, scale = motion_of_case(source.case, source.loads, places, tau), _scale(source)
+    found, scale = motion_of_case(source.case, source.loads, places, tau, **work), _scale(source)
     made = partial(case_columns, found, scale), partial(save_motion, found, scale=scale)
-    return Shown(_case_summary(found, scale), *made, partial(case_arrays, found, scale))
+    said = [*_short(found.reason, found.w), *_case_summary(found, scale)]
+    return Shown(said, *made, partial(case_arrays, found, scale), whole=found.reason is None)
 
 
 def _scale(source: InputFile) -> Scale:
@@ -92,7 +102,9 @@ def warnings(source: ProblemFile) -> list[str]:
     return [f"Warning: {reason}." for reason in found]
 
 
-def film(source: ProblemFile, path: Path, last: float, initial: str, rough: Rough) -> None:
+def film(
+    source: ProblemFile, path: Path, last: float, initial: str, rough: Rough, effort: Effort | None = None
+) -> None:
     """Writes the film of the rail's shape."""
     import numpy as np
 
@@ -106,13 +118,15 @@ def film(source: ProblemFile, path: Path, last: float, initial: str, rough: Roug
     around = min(_AROUND * unit, max(6 * gap, 4 * unit)) if gap else _AROUND * unit
     places = np.linspace(contacts[0] - around, contacts[-1] + around, _SHAPE_POINTS)
     times = np.linspace(0.0, last, _FRAMES)
-    given: dict[str, Any] = {"initial": initial, "irregularities": rough}
+    given: dict[str, Any] = {"initial": initial, "irregularities": rough, "effort": effort}
     found = vibrate(source.problem, source.loads, times=times, places=places, **given)
+    _short(found.reason, found.rail)
     write_whole(path, drawn(found, source.title))
 
 
 def _summary(found: Vibration) -> list[str]:
-    size = float(abs(found.rail).max())
+    rows = abs(found.rail).max(0)
+    size, known = float(rows[rows == rows].max()), float(found.times[rows == rows].max())
     lines = [
         "units: m, s, N, rad; the estimated errors are not proved.",
         f"rail: largest deflection {size:.6g} m, estimated error {found.error.rail:.1e} m; contact forces: estimated "
@@ -126,7 +140,7 @@ def _summary(found: Vibration) -> list[str]:
         )
     event = found.lift_off
     if event is None:
-        lines.append(f"contact is kept up to {float(found.times.max()):.6g} s.")
+        lines.append(f"contact is kept up to {known:.6g} s.")
     else:
         lines.append(
             f"contact {event.contact} lifts off at t = {event.time:.8g} s (± {event.tolerance:.1e}): what comes "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import json
 import xml.etree.ElementTree as ET
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ from click.testing import CliRunner, Result
 
 from mpsolve import out_of_round, rail_roughness, read_problem, response
 from mpsolve.cli import cli
+from mpsolve.vibration import vibrate
 
 BOGIE = Path("examples/two_layer_bogie.toml")
 MASSES = Path("examples/rail_60e1.toml")
@@ -121,3 +123,30 @@ def test_options_that_cannot_be_used_are_named(arguments: list[str], said: str, 
     result = run("response", arguments[0], "-o", tmp_path / "out.csv", *arguments[1:])
     assert result.exit_code == 2, result.output
     assert said in result.output + result.stderr
+
+
+def test_an_effort_is_kept_and_what_is_known_is_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """`response` of many times had no limit. Where nothing is known nothing is written; else the rest is left out."""
+    table = tmp_path / "out.json"
+    none = run("response", BOGIE, "-o", table, "--effort", "1e-9")
+    assert (none.exit_code, table.exists()) == (1, False)
+    assert (
+        none.stderr == "mpsolve: the effort of 1e-09 s of processor time is spent: allow more with --effort SECONDS\n"
+    )
+    assert run("response", BOGIE, "--effort", "0").exit_code == 2
+    monkeypatch.setattr("mpsolve.vibration.vibrate._CHUNK", 50)
+    spent = iter([0.0] * 3 + [1e9] * 100)
+
+    def read_off(*given: Any) -> Any:
+        monkeypatch.setattr("mpsolve.proof.effort.process_time", lambda: next(spent))
+        return own(*given)
+
+    own = vibrate._read_off
+    monkeypatch.setattr(vibrate, "_read_off", read_off)
+    part = run("response", BOGIE, "-o", table, "--to", "0.2 s", "--points", "401", "--effort", "1e6")
+    assert part.exit_code == 1
+    assert part.output.startswith("Not all that was asked for: the effort of 1e+06 s of processor time is spent")
+    columns = {one["name"]: one["values"] for one in json.loads(table.read_text("utf-8"))["columns"]}
+    assert 50 <= len(columns["t"]) < 401
+    assert {len(values) for values in columns.values()} == {len(columns["t"])}
+    assert f"contact is kept up to {columns['t'][-1]:.6g} s." in part.output

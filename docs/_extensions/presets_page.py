@@ -8,14 +8,13 @@ from pathlib import Path
 from mpsolve import Effort, certify, read_problem
 from mpsolve.numbers.spoken import beside
 from mpsolve.page.page import tables_of
-from mpsolve.pictures.axes import STYLE
+from mpsolve.pictures.axes import alone
 from mpsolve.pictures.model import model_picture
 from mpsolve.presets.written import Preset, input_file, names, preset
 from mpsolve.problem.problem import Problem
 from mpsolve.report.spectrum_words import verdict
 
 SECONDS = 60.0
-ALONE = ' xmlns="http://www.w3.org/2000/svg" width="720" style="background:#fff;color:#000"'
 
 
 def presets_page(folder: Path) -> str:
@@ -48,9 +47,8 @@ def _section(one: Preset, folder: Path) -> list[str]:
     problem = problem_of(one.name)
     found = certify(problem, region="unstable", digits=15, effort=Effort(seconds=SECONDS))
     drawing = folder / f"preset-{one.name}.svg"
-    head, rest = model_picture(problem).split(">", 1)
     folder.mkdir(parents=True, exist_ok=True)
-    drawing.write_text(f"{head}{ALONE}><style>{STYLE}</style>{rest}\n", encoding="utf-8")
+    drawing.write_text(alone(model_picture(problem)), encoding="utf-8")
     rows = [row for _, table in tables_of(problem) for row in table]
     return [
         f"## {one.title}",

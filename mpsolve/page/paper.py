@@ -16,7 +16,7 @@ from mpsolve.errors import InputError
 from mpsolve.files import write_whole
 from mpsolve.page.page import downloads, page_html
 from mpsolve.page.parts import Parts
-from mpsolve.pictures.axes import STYLE
+from mpsolve.pictures.axes import plain
 
 _PRINT = {
     "--ink": "#000000", "--card": "#ffffff", "--blue": "#0072b2", "--red": "#c44e00", "--green": "#00805f",
@@ -54,9 +54,12 @@ def save_pdf(parts: Parts, stem: str, path: Path) -> Path:
 
 def with_colours(page: str) -> str:
     """The page with its styles written into each drawing, in the colours of paper."""
-    style = re.sub(r"var\((--\w+)(?:, [^()]*)?\)", lambda found: _PRINT.get(found[1], "#000000"), STYLE)
-    style = re.sub(r"\.picture \.halo \{[^}]*\}", "", style)  # it would paint the border over the letters
-    style = style.replace(".picture .", ".").replace(".picture text", "text").replace("font: 13px", "font-size: 13px")
+    style = (
+        plain(_PRINT)
+        .replace(".picture .", ".")
+        .replace(".picture text", "text")
+        .replace("font: 13px", "font-size: 13px")
+    )
     inside = f"<style>{escape(style, quote=False)}</style>"
     page = re.sub(r"<animate [^>]*/>", "", page)
     return re.sub(r"(<svg [^>]*>)", rf"\1{inside}", page)

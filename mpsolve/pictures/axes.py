@@ -4,7 +4,8 @@ and on paper gives its own; marks differ in form too, so that grey is enough.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 from typing import Any
@@ -178,11 +179,25 @@ def disc(x: float, y: float, r: float, name: str = "body", title: str = "") -> s
     return f'<circle class="{name}" cx="{x:.1f}" cy="{y:.1f}" r="{r:g}">{told}</circle>'
 
 
-def alone(picture: str, size: str = 'width="720"') -> str:
-    """The picture as a file of its own, or in a notebook: with its style, in the colours of paper."""
+def plain(colours: Mapping[str, str] | None = None) -> str:
+    """The style for programs that know no variables, nor an order of painting, in which a halo covers its letters.
+
+    colours: of variables, in place of those that stand beside them.
+    """
+    said = re.sub(r"var\((--\w+), (#?\w+)\)", lambda one: (colours or {}).get(one[1], one[2]), STYLE)
+    said = re.sub(r"\.picture \.halo \{[^}]*\}\n", "", said)
+    return said.replace("currentColor", "#000").replace("Canvas", "#fff").replace("#8886", "#ccc")
+
+
+def alone(picture: str) -> str:
+    """The picture as a file of its own, or in a notebook: with its style and its size, in the colours of paper."""
     head, rest = picture.split(">", 1)
+    wide, high = (float(x) for x in re.findall(r'viewBox="0 0 (\S+) (\S+)"', head)[0])
+    size = f'width="720" height="{720 * high / wide:.0f}"'
     space = f'xmlns="http://www.w3.org/2000/svg" {size} style="background:#fff;color:#000"'
-    return f"{head} {space}><style>{STYLE}</style>{rest}\n"
+    style = plain().replace("width: 100%; height: auto", "max-width: 100%")
+    paper = '<path fill="#fff" d="M-9 -9h9999v9999h-9999"/>'
+    return f"{head} {space}><style>{style}</style>{paper}{rest}\n"
 
 
 def svg(parts: Sequence[str], title: str, high: int = HIGH) -> str:

@@ -27,4 +27,4 @@ def loci_picture(found: FrequencyLines, asked: Asked) -> str:
     return alone(lines_picture(
         curves, title, rate, "How fast each vibration grows, proved at the points and continuous between them",
         name="loci", x=(low, high), marks=marks, grows_above=0.0,
-    ), 'width="720" height="480"')  # fmt: skip
+    ))  # fmt: skip

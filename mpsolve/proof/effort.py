@@ -69,7 +69,7 @@ class Effort:
             self._end(f"{many} evaluations", {"evaluations": str(many)})
         if self.seconds is not None and process_time() - self.started > self.seconds:
             seconds = asked.seconds or self.seconds
-            self._end(f"{round(seconds, 2):g} s of processor time", {"seconds": f"{seconds:g}"})
+            self._end(f"{seconds:g} s of processor time", {"seconds": f"{seconds:g}"})
 
     @staticmethod
     def _end(limit: str, numbers: dict[str, str]) -> None:

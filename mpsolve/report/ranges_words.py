@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -17,7 +18,7 @@ from mpsolve.ranges.onset import Kind, Onset
 from mpsolve.ranges.unstable import UnstableRanges
 from mpsolve.report.over_words import margin, onset_at, stable_throughout, unstable_beyond, unstable_from_start
 from mpsolve.report.ranges_asked import Asked
-from mpsolve.report.spectrum_words import ASSUMED
+from mpsolve.report.spectrum_words import NOT_PROVED
 
 CERTIFIED = (
     "Proved: a certificate with the equations, all boxes of frequency and parameters, and the roots at one point, "
@@ -34,9 +35,9 @@ _UNVERIFIED = "The roots at one point, from which all are counted, are certified
 
 @dataclass(frozen=True)
 class Said:
-    """An answer with its name, its verdict in one sentence and its report; grows: whether something is shown to grow.
+    """An answer with its name, its verdict in one sentence, and all that is said of it.
 
-    asked: the question, over the ranges of which the answer speaks.
+    grows: whether something is shown to grow. asked: the question, over the ranges of which the answer speaks.
     """
 
     name: str
@@ -206,15 +207,20 @@ _SLOWER = (
 
 
 def framed(lines: list[str], found: Answer, asked: Asked) -> str:
-    """The report: title, verdict, numbers; then the ranges, warnings, and how sure it is."""
-    title = [asked.title] if asked.title else []
+    """What is said of an answer: verdict, numbers; then the ranges, warnings, and how sure it is."""
     default = " (give others with --over)" if asked.by_default else ""
-    lines = [*title, *lines, f"The range: {asked.ranges}{default}."]
+    lines = [*lines, f"The range: {asked.ranges}{default}."]
     limited = found.proved and (_speeds(found) or BEYOND in found.note)
     lines += [f"Note: {found.note}."] if limited else []
     lines += [_SLOWER] if asked.slower else []
     lines += [f"Warning: {reason}." for reason in asked.warnings]
-    return "\n".join([*lines, trust(found), f"Assumed: {ASSUMED}"]) + "\n"
+    return "\n".join([*lines, trust(found)]) + "\n"
+
+
+def report_of(parts: Sequence[Said]) -> str:
+    """The report of one answer, or of several ranges: the title and what is assumed stand there once."""
+    title = parts[0].asked.title
+    return f"{title}\n" * bool(title) + "\n".join(one.text for one in parts) + f"{NOT_PROVED}\n"
 
 
 def trust(found: Answer) -> str:

@@ -9,7 +9,6 @@ from mpsolve.ranges.meeting import Meeting
 from mpsolve.ranges.robust_answer import Robust
 from mpsolve.report.ranges_asked import Asked
 from mpsolve.report.ranges_words import Said, framed, growing, undecided
-from mpsolve.report.spectrum_words import ASSUMED
 
 _SHOWN = 8
 
@@ -48,9 +47,8 @@ def _robust(found: Robust, asked: Asked) -> str:
 def _refuted(lines: list[str], found: Robust, asked: Asked) -> str:
     """One certified point is enough: what is said of boxes has no part in it."""
     sure = "and passed the standalone verifier" if found.status is Status.PROVED else "; the verifier was not asked"
-    title = [asked.title] if asked.title else []
     proof = f"The roots at this point are certified {sure}. Other points were not asked for."
-    return "\n".join([*title, *lines, f"The ranges: {asked.ranges}.", proof, f"Assumed: {ASSUMED}"]) + "\n"
+    return "\n".join([*lines, f"The ranges: {asked.ranges}.", proof]) + "\n"
 
 
 def _value(x: object, path: str, asked: Asked) -> str:

@@ -19,6 +19,7 @@ ASSUMED = (
     "The model: an endless track that is the same everywhere, small motions, vehicles that move at a constant "
     "velocity and never leave it. The software: Python, and FLINT's ball arithmetic."
 )
+NOT_PROVED = f"Assumed, not proved. {ASSUMED}"
 _PLACES = 8
 _LONG = 130
 """Letters of a matrix that is read with ease."""

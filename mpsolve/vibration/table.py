@@ -38,7 +38,13 @@ def columns(found: Vibration) -> dict[str, Reals]:
     for j, row in enumerate(found.contact_force, 1):
         table[f"contact force {j} [N]"] = row
     table["within the model [1]"] = found.within.astype(float)
-    return table
+    return _known(table)
+
+
+def _known(table: dict[str, Reals]) -> dict[str, Reals]:
+    """Without the times that an effort did not reach."""
+    rows = np.isfinite(list(table.values())).all(0)
+    return {name: values[rows] for name, values in table.items()}
 
 
 def arrays(found: Vibration) -> dict[str, Reals]:
@@ -80,7 +86,7 @@ def case_columns(found: Response, scale: Scale) -> dict[str, Reals]:
     for j, row in enumerate(found.contact_forces, 1):
         table[named(f"contact_force[{j}]", scale.force_name, scale)] = row * scale.force
     table[named("within the model", "1", scale)] = found.within.astype(float)
-    return table
+    return _known(table)
 
 
 def time_columns(tau: Reals, scale: Scale) -> dict[str, Reals]:

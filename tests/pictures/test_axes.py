@@ -3,13 +3,29 @@
 from __future__ import annotations
 
 import re
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mpsolve.pictures.axes import BOTTOM, HIGH, LEFT, STYLE, TOP, WIDE, Axes, curve_class, line, ticks
+from mpsolve.pictures.axes import (
+    BOTTOM,
+    HIGH,
+    LEFT,
+    STYLE,
+    TOP,
+    WIDE,
+    Axes,
+    alone,
+    box,
+    curve_class,
+    line,
+    plain,
+    svg,
+    ticks,
+)
 
 
 @given(st.floats(-1e6, 1e6), st.floats(1e-3, 1e6))
@@ -45,3 +61,15 @@ def test_curves_differ_in_grey_too() -> None:
             found = re.search(rf"\.picture \.{name} \{{[^}}]*stroke-dasharray: ([^;}}]*)", STYLE)
             dashes[k] = found[1] if found else dashes.get(k, "none")
     assert len(set(dashes.values())) == 4
+
+
+def test_a_picture_alone_is_seen_in_programs_that_know_no_variables() -> None:
+    """Office programs and converters drew nothing of it, or black on black: colours were variables of CSS."""
+    said = alone(svg([box(1, 2, 3, 4)], "A box"))
+    ElementTree.fromstring(said)
+    for unknown in ("var(", "currentColor", "Canvas", "paint-order"):
+        assert unknown in STYLE
+        assert unknown not in said
+    assert "stroke: #0072b2" in plain()
+    assert "stroke: #123456" in plain({"--blue": "#123456"})
+    assert set(re.findall(r"#\w+", plain())) == {one for one in re.findall(r"#\w+", plain()) if len(one) in (4, 7)}

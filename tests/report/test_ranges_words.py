@@ -13,7 +13,7 @@ from mpsolve.ranges.crossed import Crossings
 from mpsolve.ranges.onset import Kind, Onset, _read
 from mpsolve.ranges.unstable import shared
 from mpsolve.report.ranges_asked import asked
-from mpsolve.report.ranges_words import said_of_crossings, said_of_onset, said_of_ranges
+from mpsolve.report.ranges_words import report_of, said_of_crossings, said_of_onset, said_of_ranges
 
 WIRE = Problem(tracks.String(T=27000, m="1.07", k=500, c=2), [vehicles.Mass(20).at(0)], v=100)
 ASKED = asked(WIRE, "", ["v=0..300"])
@@ -60,3 +60,13 @@ def test_an_onset_in_what_is_left_out() -> None:
         said.verdict == "STABLE for v from 0 m/s to 150 m/s, UNSTABLE just beyond 170 m/s; but see what is left out."
     )
     assert "frequency" not in said.text
+
+
+def test_several_ranges_have_one_title_and_one_sentence_of_what_is_assumed() -> None:
+    """`onset` printed both twice where it looked at two ranges."""
+    said = said_of_onset(onset(WIRE, over={"v": (0, 50)}, check=False), asked(WIRE, "One axle", ["v=0..50"]))
+    text = report_of([said, said])
+    assert text.startswith("One axle\nSTABLE")
+    assert text.endswith("FLINT's ball arithmetic.\n")
+    assert (text.count("One axle"), text.count("Assumed, not proved"), text.count("STABLE")) == (1, 1, 2)
+    assert report_of([replace(said, asked=ASKED)]).startswith("STABLE")
