@@ -22,9 +22,6 @@ from mpsolve.proof.effort import Effort
 from mpsolve.tracks.waveguide import Track, Waveguide
 from mpsolve.vehicles.vehicle import Pencil
 
-_LOST = 1e-12
-"""Of a receptance: what residues of close p-roots may lose in float64 before companion matrices take their place."""
-
 
 @dataclass(frozen=True)
 class Image:
@@ -90,43 +87,14 @@ class Image:
         S = [d[:, None] * rows * d for rows in S]
         return S, d[:, None] * np.array(pencil.B, float), np.array(pencil.h, float) / g, d, g
 
-    def _green(self, sigma: Any) -> Complexes:
-        """Ĝ at all distances, shape (distances, len(σ))."""
-        distances, up = self._distances[0], self.receptance.upper
-        z, w = self.receptance.waves(sigma)
-        xi = np.array([float(x) for x in distances])
-        ahead = xi >= 0
-        out = np.empty((len(xi), len(sigma)), complex)
-        with np.errstate(all="ignore"):
-            for side, some, sign in ((slice(0, up), ahead, 1.0), (slice(up, None), ~ahead, -1.0)):
-                waves = np.exp(xi[some, None, None] * z[:, side]) * (sign * w[:, side])
-                out[some] = waves.sum(-1)
-            lost = self._lost(z, w)
-        if lost.any():
-            out[:, lost] = np.array(self.receptance.together(sigma[lost], z[lost], distances, False)[0])
-        return out
-
-    def _lost(self, z: Any, w: Complexes) -> Any:
-        """Where residues of close roots of one side cancel too far: each loses its weight times (size/gap)²."""
-        up, size = self.receptance.upper, np.abs(w)
-        spread = np.zeros(z.shape)
-        for side in (slice(0, up), slice(up, None)):
-            own = z[:, side]
-            gap = np.abs(own[:, :, None] - own[:, None, :])
-            gap[:, range(own.shape[1]), range(own.shape[1])] = np.inf
-            if own.shape[1] > 1:
-                spread[:, side] = np.abs(own) / gap.min(-1)
-        loss = 2.0**-53 * (size * spread * spread).max(-1)
-        return ~(loss < _LOST * np.abs(w[:, :up].sum(-1)))
-
     def matrices(self, sigma: Any) -> tuple[Complexes, Complexes]:
         """A(σ̂) of scaled bodies and contact forces, and Ĝ from the places to the contacts."""
         if self.effort is not None:
             self.effort.spend(len(sigma))
         S, B, h, _, _ = self._scaled
-        _, among, seen = self._distances
+        distances, among, seen = self._distances
         n, m = self.size, self.contacts
-        G = self._green(sigma)
+        G = np.array(self.receptance(sigma, distances, slope=False)[0])
         A = np.zeros((len(sigma), n + m, n + m), complex)
         s = sigma[:, None, None]
         A[:, :n, :n] = S[0] + s * (S[1] + s * S[2])
