@@ -20,7 +20,7 @@ from mpsolve.characteristic.splitting import float_splitting, upper_count
 from mpsolve.characteristic.symbol import Coefficients, Symbols, Terms
 from mpsolve.frozen import frozen
 from mpsolve.numbers.arrays import Complexes
-from mpsolve.numbers.float64 import Float64
+from mpsolve.numbers.float64 import Float64, log_slope
 from mpsolve.problem.reduced import Guide, Reduced
 
 _K = Float64()
@@ -120,6 +120,18 @@ class Floats:
         sigma = np.atleast_1d(np.asarray(sigma, complex))
         G, G_sigma = self.receptance(sigma, self.border.distances)
         return self.border.at(_K, sigma, G), self.border.slope_at(_K, sigma, G, G_sigma)
+
+    def matrix(self, sigma: Any) -> Any:
+        """A(σ) alone."""
+        return self.border.at(_K, sigma, self.receptance(sigma, self.border.distances, slope=False)[0])
+
+    def step(self, sigma: Any, known: Any) -> Any:
+        """Newton's step to a zero of Δ̂, the known ones divided out."""
+        with np.errstate(all="ignore"):
+            slope = log_slope(*self.matrices(sigma))
+            for zero in known:
+                slope = slope - 1 / (sigma - zero)
+            return -1 / slope
 
     def delta(self, sigma: Any) -> tuple[Complexes, Complexes]:
         """Δ̂ and dΔ̂/dσ on an array of σ."""

@@ -14,10 +14,10 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.floats import Receptance
+from mpsolve.characteristic.floats import Floats, Receptance
 from mpsolve.numbers.arrays import Complexes, Integers, Reals
 from mpsolve.problem.problem import Problem
-from mpsolve.problem.reduced import Guide, track_guide
+from mpsolve.problem.reduced import Guide, reduce_problem, track_guide
 from mpsolve.proof.effort import Effort
 from mpsolve.tracks.waveguide import Track, Waveguide
 from mpsolve.vehicles.vehicle import Pencil
@@ -89,8 +89,7 @@ class Image:
 
     def matrices(self, sigma: Any) -> tuple[Complexes, Complexes]:
         """A(σ̂) of scaled bodies and contact forces, and Ĝ from the places to the contacts."""
-        if self.effort is not None:
-            self.effort.spend(len(sigma))
+        self.spend(len(sigma))
         S, B, h, _, _ = self._scaled
         distances, among, seen = self._distances
         n, m = self.size, self.contacts
@@ -117,9 +116,25 @@ class Image:
         rail = g * (seen @ f[..., None])[..., 0]
         return np.concatenate([g * d * x[:, :n], f, rail], 1)
 
+    @cached_property
+    def felt(self) -> Floats:
+        """Δ̂, without the motions that no contact feels."""
+        return Floats(reduce_problem(self.problem))
+
     def phase(self, sigma: Any) -> Any:
-        """det A/|det A|, with a positive factor that keeps it a rational function of the receptances."""
-        return np.linalg.slogdet(self.matrices(sigma)[0])[0]
+        """Δ̂/|Δ̂|."""
+        self.spend(len(sigma))
+        return np.linalg.slogdet(self.felt.matrix(sigma))[0]
+
+    def step(self, sigma: Any, known: Any) -> Any:
+        """Newton's step to a zero of Δ̂, the known ones and their mirror images divided out."""
+        self.spend(len(sigma))
+        return self.felt.step(sigma, [*known, *(np.conj(z) for z in known if z.imag)])
+
+    def spend(self, evaluations: int) -> None:
+        """EffortError where the effort is spent."""
+        if self.effort is not None:
+            self.effort.spend(evaluations)
 
 
 @lru_cache(maxsize=32)
