@@ -16,8 +16,8 @@ import numpy as np
 
 from mpsolve.batch.entries import Entries, Formation
 from mpsolve.batch.waveguides import expanded
-from mpsolve.batch.waves import by_companions
 from mpsolve.characteristic.bordering import Bordering
+from mpsolve.characteristic.follow import eigenvalues
 from mpsolve.numbers.arrays import Integers, Reals, Truths
 
 _APART = 1e-7
@@ -200,7 +200,7 @@ def _by_side(group: Group, refused: dict[int, str]) -> Iterator[Group]:
     for sigma in _STARTS:
         if not len(left):
             break
-        z = by_companions(np.einsum("kij,j->ki", group.D[left], sigma ** np.arange(group.D.shape[2])) + 0j)
+        z = eigenvalues(np.einsum("kij,j->ki", group.D[left], sigma ** np.arange(group.D.shape[2])) + 0j)
         clear = (np.abs(z.real).min(1, initial=np.inf) > _APART * np.abs(z).max(1, initial=0)) & np.isfinite(z).all(1)
         ups[left[clear]] = (z.real < 0).sum(1)[clear]
         left = left[~clear]

@@ -9,9 +9,10 @@ import numpy as np
 from mpsolve.batch.groups import Group
 from mpsolve.batch.kernel import Values, chunk_of, receptances
 from mpsolve.numbers.arrays import Complexes, Integers
+from mpsolve.numbers.float64 import AT_A_ZERO
+from mpsolve.numbers.float64 import log_slope as slope_of_log
 
 _CELLS = 1 << 14  # of the matrices that are filled together: they stay in the processor's cache
-_AT_A_ROOT = complex(1e300)
 
 
 def matrices(group: Group, rows: Integers, sigma: Any, values: Values) -> tuple[Any, Any]:
@@ -67,22 +68,10 @@ def log_slope(group: Group, rows: Integers, q: Any, near: Complexes | None = Non
         part = slice(k, k + step)
         with np.errstate(all="ignore"):
             values = receptances(group, rows[part], 1j * q[part], None if near is None else near[part], slope=True)
-            out[part] = 1j * _turned(*matrices(group, rows[part], 1j * q[part], values))
+            both = matrices(group, rows[part], 1j * q[part], values)
+            out[part] = 1j * (_quotient if both[0].shape[1] <= 2 else slope_of_log)(*both)
         roots[part] = values.z
     return out, roots
-
-
-def _turned(A: Any, A_s: Any) -> Complexes:
-    """tr(A⁻¹A′); nan where it is not known."""
-    if A.shape[1] <= 2:
-        return _quotient(A, A_s)
-    fine = np.isfinite(A).all((1, 2)) & np.isfinite(A_s).all((1, 2))
-    A, A_s = np.where(fine[:, None, None], A, np.eye(A.shape[1])), np.where(fine[:, None, None], A_s, 0)
-    try:
-        trace = np.einsum("kii->k", np.linalg.solve(A, A_s))
-    except np.linalg.LinAlgError:  # at a root itself
-        trace = np.array([_trace(a, b) for a, b in zip(A, A_s, strict=True)])
-    return np.where(fine, trace, np.nan)
 
 
 def _quotient(A: Complexes, A_s: Complexes) -> Complexes:
@@ -92,11 +81,4 @@ def _quotient(A: Complexes, A_s: Complexes) -> Complexes:
         moved = A[:, 0, 0] * A_s[:, 1, 1] + A[:, 1, 1] * A_s[:, 0, 0]
         moved -= A[:, 0, 1] * A_s[:, 1, 0] + A[:, 1, 0] * A_s[:, 0, 1]
         det = A[:, 0, 0] * A[:, 1, 1] - A[:, 0, 1] * A[:, 1, 0]
-    return np.where(det == 0, _AT_A_ROOT, moved / np.where(det == 0, 1, det))
-
-
-def _trace(a: Any, b: Any) -> complex:
-    try:
-        return complex(np.trace(np.linalg.solve(a, b)))
-    except np.linalg.LinAlgError:
-        return _AT_A_ROOT
+    return np.where(det == 0, AT_A_ZERO, moved / np.where(det == 0, 1, det))

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 from mpsolve.characteristic.bordering import Bordering
 from mpsolve.characteristic.factors import Factors, factor_balls, sides
-from mpsolve.characteristic.receptance import Coefficients, Terms, by_companions
+from mpsolve.characteristic.receptance import by_companions
 from mpsolve.characteristic.roots import Orders, apart, float_roots, root_balls, sharp_roots
 from mpsolve.characteristic.splitting import Splitting, monic, upper_count
 from mpsolve.characteristic.spread import Spread
-from mpsolve.characteristic.symbol import Symbols
+from mpsolve.characteristic.symbol import Coefficients, Symbols, Terms
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import Balls, acb, acb_mat, is_thin
@@ -78,7 +78,8 @@ class ProvedSplitting:
         """G(ξ, σ) for each exact ξ, and where asked its slope in σ; `PrecisionError` where balls are too wide."""
         spread = xi if isinstance(xi, Spread) else Spread(tuple(xi))
         if self.roots is None:
-            G, G_sigma = by_companions(_K, self.symbols, self.splitting, self.sigma, spread.exact, slope)
+            local, ahead = self.symbols.at(_K, self.sigma), [x >= 0 for x in spread.exact]
+            G, G_sigma = by_companions(_K, local, self.splitting, spread.balls, ahead, slope)
         else:
             G, G_sigma = self._by_residues(spread, slope)
         if not all(g.is_finite() for g in (*G, *G_sigma)):

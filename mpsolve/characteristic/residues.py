@@ -10,7 +10,7 @@ from mpsolve.characteristic.discs import Splittings
 from mpsolve.characteristic.table import Table
 from mpsolve.frozen import frozen
 from mpsolve.numbers.arrays import Complexes, Integers, Reals, Truths
-from mpsolve.numbers.jets import TINY, UP, Jet, U, powers_up_to
+from mpsolve.numbers.jets import TINY, UP, Jet, U, joined, powers_up_to
 
 
 @frozen
@@ -29,25 +29,17 @@ def receptances(N: Table, D: Table, s: Splittings, distances: Reals) -> Receptan
 
 def summed(weight: Jet, p: Jet, alone: Truths, up: int, distances: Reals) -> Receptances:
     """The sums of e^{Pξ} times its weight over the first `up` roots, and minus those over the others."""
+    ahead = distances >= 0
     with np.errstate(all="ignore"):
-        r, ahead, behind = weight.r, distances >= 0, distances < 0
-        parts = []
-        for side, mask, sign in ((slice(0, up), ahead, 1.0), (slice(up, None), behind, -1.0)):
-            x = distances[mask]
-            if not len(x):
-                continue
-            if weight.a[:, side].shape[1] == 0:
-                zero = np.zeros((len(r), len(x)))
-                parts.append((mask, Jet(zero + 0j, zero + 0j, zero, r)))
-                continue
-            grown, heavy = (Jet(f.a[:, side, None], f.b[:, side, None], f.e[:, side, None], r) for f in (p, weight))
-            parts.append((mask, ((grown * x).exp() * heavy * sign).sum(1)))
-        a, b = (np.zeros((len(r), len(distances)), complex) for _ in range(2))
-        e = np.zeros((len(r), len(distances)))
-        for mask, jet in parts:
-            a[:, mask], b[:, mask], e[:, mask] = jet.a, jet.b, jet.e
-        good = alone & np.isfinite(e).all(1) & np.isfinite(a).all(1)
-        return Receptances(Jet(a, b, e, r), good)
+        front = at_distances(p[:, :up], weight[:, :up], distances[ahead])
+        back = -at_distances(p[:, up:], weight[:, up:], distances[~ahead])
+        jet = joined([front, back]).taken(np.argsort(np.argsort(~ahead, kind="stable")))
+        return Receptances(jet, alone & np.isfinite(jet.e).all(1) & np.isfinite(jet.a).all(1))
+
+
+def at_distances(p: Jet, weight: Jet, xi: Reals) -> Jet:
+    """Σ weight e^{Pξ} over the roots, shape (discs, distances)."""
+    return ((p[:, :, None] * xi).exp() * weight[:, :, None]).sum(1)
 
 
 def waves(N: Table, D: Table, s: Splittings) -> tuple[Jet, Jet, Truths]:

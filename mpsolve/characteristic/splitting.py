@@ -11,13 +11,14 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from mpsolve.characteristic.symbol import Symbol, Symbols, product
+from mpsolve.characteristic.symbol import Symbol, product
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.arithmetic import Arithmetic
 from mpsolve.numbers.balls import acb_poly, arb, precision, rational_ball
-from mpsolve.numbers.multiprecision import Multiprecision
+from mpsolve.numbers.float64 import Float64
 
+_FLOATS = Float64()
 _STARTS = [Fraction(2) ** k for k in (0, 1, -1, 2, -2, 3, -3, 5, -5, 8, -8)]
 
 
@@ -77,8 +78,9 @@ def sharpened(K: Arithmetic, D: Sequence[Any], U: Sequence[Any], L: Sequence[Any
     return moved[: len(U)], moved[len(U) :]
 
 
-def split_digits(K: Multiprecision, symbols: Symbols, sigma: Any, upper: int) -> Splitting:
-    """The splitting in mpmath, without proof: the `upper` roots of smallest real part are those of U."""
-    D = symbols.D.at(K, sigma)
-    roots = sorted(K.roots(D), key=lambda z: z.real)
-    return Splitting(D[-1], monic(roots[:upper]), monic(roots[upper:]))
+def float_splitting(D: Sequence[Any], z: Any, upper: int) -> Splitting:
+    """The splitting in float64 from floats near the p-roots, (points, degree), the upper ones first."""
+    U, L = (list(monic(side.T)) for side in (z[:, :upper], z[:, upper:]))
+    for _ in range(2):
+        U, L = sharpened(_FLOATS, D, U, L)
+    return Splitting(D[-1], tuple(U), tuple(L))

@@ -68,6 +68,61 @@ class Symbols:
         """The number of p-roots."""
         return len(self.D.rows) - 1
 
+    def at(self, K: Arithmetic, sigma: Any) -> Coefficients:
+        """All four at one σ, or on an array of σ."""
+        like = sigma * 0
+        parts = (self.D, self.N, self.D_sigma, self.N_sigma)
+        return Coefficients(*([like + c for c in x.at(K, sigma)] for x in parts))
+
+
+@frozen
+class Terms:
+    """A simple p-root z gives G the term w e^{zξ}, and its slope in σ the term (a + bξ) e^{zξ}."""
+
+    z: Any
+    w: Any
+    a: Any
+    b: Any
+
+
+@frozen
+class Coefficients:
+    """D, N, D_σ, N_σ as coefficients in P at one σ."""
+
+    D: list[Any]
+    N: list[Any]
+    D_sigma: list[Any]
+    N_sigma: list[Any]
+
+    @cached_property
+    def D_P(self) -> list[Any]:
+        return slope_in_P(self.D)
+
+    @cached_property
+    def _further(self) -> tuple[list[Any], ...]:
+        """D_PP, N_P, D_σP."""
+        return slope_in_P(self.D_P), slope_in_P(self.N), slope_in_P(self.D_sigma)
+
+    def newton(self, z: Any) -> Any:
+        """Nearer to a simple root of D."""
+        return z - horner(self.D, z) / horner(self.D_P, z)
+
+    def drift(self, z: Any) -> Any:
+        """dP/dσ at a simple root z of D."""
+        return -horner(self.D_sigma, z) / horner(self.D_P, z)
+
+    def weight(self, z: Any) -> Any:
+        """The residue N/D_P at a simple root z of D."""
+        return horner(self.N, z) / horner(self.D_P, z)
+
+    def terms(self, z: Any) -> Terms:
+        """Residue at a simple root z of D of N e^{Pξ}/D, and of its derivative in σ, a double pole."""
+        D_PP, N_P, D_sP = (horner(x, z) for x in self._further)
+        over, N, D_s = 1 / horner(self.D_P, z), horner(self.N, z), horner(self.D_sigma, z)
+        lost = N * D_s * over * over
+        turn = (N_P * D_s + N * D_sP) * over * over
+        return Terms(z, N * over, horner(self.N_sigma, z) * over - turn + lost * D_PP * over, -lost)
+
 
 def _slope(a: Polynomial) -> Polynomial:
     return {(i, j - 1): j * c for (i, j), c in a.items() if j}
@@ -80,8 +135,10 @@ def slope_in_P(coefficients: Sequence[Any]) -> list[Any]:
 
 def horner(coefficients: Sequence[Any], z: Any) -> Any:
     """Σ c_i z^i; 0 for an empty list."""
-    total = z * 0
-    for c in reversed(coefficients):
+    if len(coefficients) < 2:
+        return z * 0 + sum(coefficients)
+    total = coefficients[-1]
+    for c in coefficients[-2::-1]:
         total = total * z + c
     return total
 

@@ -20,7 +20,7 @@ import numpy as np
 
 from mpsolve.characteristic.bordering import Bordering
 from mpsolve.characteristic.floats import Receptance, det_and_slope
-from mpsolve.characteristic.receptance import Coefficients, Terms
+from mpsolve.characteristic.symbol import Terms
 from mpsolve.endless.lattice import Lattice
 from mpsolve.endless.row import Row
 from mpsolve.numbers.arithmetic import Arithmetic
@@ -52,10 +52,9 @@ class Bloch:
 
     def terms(self, sigma: Any) -> list[Terms]:
         """The terms of all p-roots, the upper ones first; arrays over σ."""
-        s, z = self.receptance.symbols, self.receptance.roots(sigma)
-        rows = ([np.asarray(c)[..., None] for c in x.at(_K, sigma)] for x in (s.D, s.N, s.D_sigma, s.N_sigma))
-        all_ = Coefficients(*rows).terms(z)
-        return [Terms(*(part[:, k] for part in (all_.z, all_.w, all_.a, all_.b))) for k in range(z.shape[1])]
+        found = self.receptance.terms(sigma)
+        parts = (found.z, found.w, found.a, found.b)
+        return [Terms(*(part[:, k] for part in parts)) for k in range(found.z.shape[1])]
 
     def delta(self, sigma: Any, z: Complexes) -> tuple[Complexes, Complexes]:
         """Δ̂(z, σ) and its slope in σ; σ and z arrays of one shape."""

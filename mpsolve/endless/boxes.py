@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -11,13 +11,13 @@ import numpy as np
 from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.discs import Splittings, split
 from mpsolve.characteristic.path import discs
-from mpsolve.characteristic.residues import waves
+from mpsolve.characteristic.residues import at_distances, waves
 from mpsolve.endless.lattice import first_force
 from mpsolve.endless.row import Row
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.arrays import Complexes, Integers, Reals, Truths
-from mpsolve.numbers.jets import Jet, U, joined, nearest
+from mpsolve.numbers.jets import Jet, U, nearest
 from mpsolve.proof.definite import positive
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import subdivide
@@ -59,36 +59,22 @@ class LatticeArrays(Arrays):
         """Ĝ at each distance (lattice.py), shape (discs, distances)."""
         places = self.reduced.places
         exact = sorted({a - b for a in places for b in places})
-        total: Jet | None = None
+        sides = []
         for part, ahead in ((slice(0, up), True), (slice(up, None), False)):
-            if not P.a[:, part].shape[1]:
-                continue
-            p, w = P[:, part], weight[:, part]
-            point, back = _constant(z, off, p), _constant(z.conj(), off, p)
-            step = nearest(self.step if ahead else -self.step)
-            over = (-((p * step).exp() * (back if ahead else point)) + 1.0).inverse() * (1.0 if ahead else -1.0)
-            heavy = w * over
-            columns = []
-            for a in exact:
-                first, factor = first_force(a, self.step, ahead)
-                wave = (p * nearest(first)).exp() * heavy
-                columns.append((wave if not factor else wave * (point if factor > 0 else back)).sum(1))
-            own = joined([column[:, None] for column in columns])
-            total = own if total is None else total + own
-        if total is None:
-            shape = (len(z), len(exact))
-            return Jet(np.zeros(shape, complex), np.zeros(shape, complex), np.zeros(shape), P.r)
-        return total
+            step, p = nearest(self.step if ahead else -self.step), P[:, part]
+            ratio = (p * step).exp() * _power(z, off, [-1 if ahead else 1], P.r)
+            over = (-ratio + 1.0).inverse()
+            xi, powers = zip(*(first_force(a, self.step, ahead) for a in exact), strict=True)
+            sums = at_distances(p, weight[:, part] * over, np.array([nearest(x) for x in xi]))
+            sides.append(sums * _power(z, off, powers, P.r))
+        return sides[0] + -sides[1]
 
 
-def _constant(z: Complexes, off: Reals, like: Jet) -> Jet:
-    shape = like.a.shape
-    return Jet(
-        np.broadcast_to(z[:, None], shape),
-        np.zeros(shape, complex),
-        np.broadcast_to(np.asarray(off)[:, None], shape),
-        like.r,
-    )
+def _power(z: Complexes, off: Reals, powers: Sequence[int], r: Reals) -> Jet:
+    """z^m, m = −1, 0 or 1, shape (discs, len(powers)), for z on the unit circle within `off`."""
+    m, point = np.array(powers), z[:, None]
+    a = np.where(m > 0, point, np.where(m < 0, point.conj(), 1.0 + 0j))
+    return Jet(a, 0 * a, np.where(m != 0, np.asarray(off)[:, None], 0.0), r)
 
 
 Test = Callable[[Any, Any], tuple[Any, Any]]

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from mpsolve.characteristic.receptance import Terms
+from mpsolve.characteristic.symbol import Terms
 
 if TYPE_CHECKING:
     from mpsolve.numbers.arrays import Complexes

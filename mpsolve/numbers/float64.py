@@ -10,6 +10,8 @@ import numpy as np
 
 from mpsolve.numbers.arrays import Complexes, Reals
 
+AT_A_ZERO = complex(1e300)
+"""So large a slope of a logarithm that Newton's step is 0."""
 _TERMS = 18
 _NORM = 0.5
 
@@ -61,6 +63,24 @@ class Float64:
 
     def det(self, a: Any) -> Any:
         return np.linalg.det(a)
+
+
+def log_slope(A: Any, A_slope: Any) -> Any:
+    """tr(A⁻¹A′), the slope of log det A, of many matrices: nan where one is not finite, huge where A is singular."""
+    fine = np.isfinite(A).all((1, 2)) & np.isfinite(A_slope).all((1, 2))
+    A, A_slope = np.where(fine[:, None, None], A, np.eye(A.shape[1])), np.where(fine[:, None, None], A_slope, 0)
+    try:
+        trace = np.einsum("kii->k", np.linalg.solve(A, A_slope))
+    except np.linalg.LinAlgError:  # at a zero itself
+        trace = np.array([_log_slope(a, b) for a, b in zip(A, A_slope, strict=True)])
+    return np.where(fine, trace, np.nan)
+
+
+def _log_slope(a: Any, b: Any) -> complex:
+    try:
+        return complex(np.trace(np.linalg.solve(a, b)))
+    except np.linalg.LinAlgError:
+        return AT_A_ZERO
 
 
 def distinct(x: Any) -> Any:

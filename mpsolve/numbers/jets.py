@@ -151,7 +151,7 @@ class Jet:
         a, b = self.a.sum(axis), self.b.sum(axis)
         r = self.r.reshape(self.r.shape + (1,) * (a.ndim - 1))
         lost = (np.abs(self.a)).sum(axis) + (np.abs(self.b)).sum(axis) * r
-        return Jet(a, b, (self.e.sum(axis) + 2 * terms * U * lost) * UP + TINY, self.r)
+        return Jet(a, b, (self.e.sum(axis) + 2 * terms * U * lost) * UP + TINY * bool(terms), self.r)
 
 
 def joined(parts: Sequence[Jet], axis: int = -1) -> Jet:

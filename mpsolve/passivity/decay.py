@@ -15,16 +15,24 @@ from math import comb
 from flint import fmpq, fmpq_poly
 
 from mpsolve.frozen import frozen
+from mpsolve.numbers.realroots import as_fmpq
 from mpsolve.tracks.waveguide import Polynomial
 
 
 @frozen
 class Edge:
-    """Roots ~ c σ^slope; `roots`: the polynomial of c, ascending; weight: the exponent of N/D_P there."""
+    """Roots ~ c σ^slope; `roots`: the polynomial of c, without roots 0; weight: the exponent of N/D_P there."""
 
     slope: Fraction
-    roots: tuple[Fraction, ...]
+    roots: fmpq_poly
     weight: Fraction
+
+    def without(self, c: Fraction) -> tuple[fmpq_poly, int]:
+        """`roots` without the root c, and how often it was there."""
+        poly, factor, count = self.roots, fmpq_poly([-as_fmpq(c), fmpq(1)]), 0
+        while poly.degree() > 0 and not poly % factor:
+            poly, count = poly // factor, count + 1
+        return poly, count
 
 
 def edges(D: Polynomial, N: Polynomial) -> tuple[Edge, ...]:
@@ -37,21 +45,16 @@ def edges(D: Polynomial, N: Polynomial) -> tuple[Edge, ...]:
     while at != powers[-1]:
         theta, end = min((Fraction(top[at] - top[i], i - at), -i) for i in powers if i > at)
         value = at * theta + top[at]
-        out.append(Edge(theta, _edge_polynomial(D, at, -end, value, theta), _weight(N, theta) - (value - theta)))
+        weight = max(i * theta + j for i, j in N) - (value - theta)
+        out.append(Edge(theta, _edge_polynomial(D, at, -end, value, theta), weight))
         at = -end
     return tuple(out)
 
 
-def _edge_polynomial(D: Polynomial, first: int, last: int, value: Fraction, theta: Fraction) -> tuple[Fraction, ...]:
+def _edge_polynomial(D: Polynomial, first: int, last: int, value: Fraction, theta: Fraction) -> fmpq_poly:
     orders = [value - i * theta for i in range(first, last + 1)]
-    return tuple(
-        D.get((first + k, int(order)), Fraction(0)) if order.denominator == 1 else Fraction(0)
-        for k, order in enumerate(orders)
-    )
-
-
-def _weight(N: Polynomial, theta: Fraction) -> Fraction:
-    return max(i * theta + j for i, j in N)
+    found = (D.get((first + k, int(order)), 0) if order.denominator == 1 else 0 for k, order in enumerate(orders))
+    return fmpq_poly([as_fmpq(Fraction(c)) for c in found])
 
 
 def vanishes(D: Polynomial, N: Polynomial, v: Fraction) -> bool:
@@ -60,9 +63,9 @@ def vanishes(D: Polynomial, N: Polynomial, v: Fraction) -> bool:
         return False
     carried = 0
     for edge in edges(D, N):
-        poly = _poly(edge.roots)
+        poly = edge.roots
         if v and edge.slope == 1:
-            poly, carried = _without(poly, fmpq_poly([fmpq(1), fmpq(-v.numerator, v.denominator)]))
+            poly, carried = edge.without(1 / v)
             if poly.degree() == 0:
                 continue
         if edge.weight >= 0 or not _squarefree(poly):
@@ -77,9 +80,9 @@ def _carried_vanish(D: Polynomial, N: Polynomial, count: int) -> bool:
     for edge in edges(D, N):
         if edge.slope >= 1:
             break
-        if edge.weight >= 0 or not _squarefree(_poly(edge.roots)):
+        if edge.weight >= 0 or not _squarefree(edge.roots):
             return False
-        found += len(edge.roots) - 1
+        found += edge.roots.degree()
     return least == 0 and found == count
 
 
@@ -93,17 +96,5 @@ def in_s(polynomial: Mapping[tuple[int, int], Fraction], v: Fraction) -> Polynom
     return {key: c for key, c in out.items() if c}
 
 
-def _poly(coefficients: tuple[Fraction, ...]) -> fmpq_poly:
-    return fmpq_poly([fmpq(c.numerator, c.denominator) for c in coefficients])
-
-
 def _squarefree(poly: fmpq_poly) -> bool:
     return bool(poly.gcd(poly.derivative()).degree() == 0)
-
-
-def _without(poly: fmpq_poly, factor: fmpq_poly) -> tuple[fmpq_poly, int]:
-    """`poly` without the factor, and how often it was there."""
-    count = 0
-    while poly.degree() > 0 and not poly % factor:
-        poly, count = poly // factor, count + 1
-    return poly, count

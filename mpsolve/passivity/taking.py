@@ -24,7 +24,7 @@ class Search:
         self.e = absorption.exponent(edge.slope)
         k, self.m = edge.slope.numerator, edge.slope.denominator
         self.W, self.D2 = (Table.of(in_block(a, k, self.m)).d for a in absorption.moving)
-        roots = np.roots([float(c) for c in reversed(edge.roots)])
+        roots = np.roots([float(c) for c in reversed(edge.roots.coeffs())])
         scale = float(np.abs(roots).max()) if len(roots) else 1.0
         real = [float(root.real) for root in roots if abs(root.imag) < 1e-9 * scale]
         steps = 2.0 ** (-np.arange(1, 40) / 2)

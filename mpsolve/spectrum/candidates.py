@@ -201,23 +201,5 @@ def _newton(
 
 def _step(function: Floats, q: Any, found: Any) -> Any:
     """Newton's step in q for Δ̂ with the found roots and their mirrors divided out."""
-    with np.errstate(all="ignore"):
-        a, b = function.matrices(1j * q)
-        fine = np.isfinite(a).all((1, 2)) & np.isfinite(b).all((1, 2))
-        a, b = np.where(fine[:, None, None], a, np.eye(a.shape[1])), np.where(fine[:, None, None], b, 0)
-        try:
-            trace = np.trace(np.linalg.solve(a, b), axis1=1, axis2=2)
-        except np.linalg.LinAlgError:
-            trace = np.array([_trace(x, y) for x, y in zip(a, b, strict=True)])
-        slope = 1j * trace
-        for root in found:
-            for mirror in (root, -root.conjugate())[: both(root)]:
-                slope = slope - 1 / (q - mirror)
-        return np.where(fine, -1 / slope, np.nan)
-
-
-def _trace(a: Any, b: Any) -> Any:
-    try:
-        return np.trace(np.linalg.solve(a, b))
-    except np.linalg.LinAlgError:
-        return np.inf
+    zeros = [1j * zero for root in found for zero in (root, -root.conjugate())[: both(root)]]
+    return -1j * function.step(1j * q, zeros)

@@ -196,10 +196,5 @@ class Engine:
         away = np.subtract.outer(np.array(image.places, float), np.array(image.pencil.places, float))
         away = np.abs(away) * 2.0**-image.guide.length
         return reach_of_waves(
-            lambda sigma: self.transformed(sigma)[:, rail],
-            lambda sigma: image.receptance.waves(sigma)[0],
-            list(away),
-            path,
-            times,
-            share,
+            lambda sigma: self.transformed(sigma)[:, rail], image.receptance.waves, list(away), path, times, share
         )

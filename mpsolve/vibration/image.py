@@ -14,16 +14,13 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.floats import Receptance
+from mpsolve.characteristic.floats import Floats, Receptance
 from mpsolve.numbers.arrays import Complexes, Integers, Reals
 from mpsolve.problem.problem import Problem
-from mpsolve.problem.reduced import Guide, track_guide
+from mpsolve.problem.reduced import Guide, reduce_problem, track_guide
 from mpsolve.proof.effort import Effort
 from mpsolve.tracks.waveguide import Track, Waveguide
 from mpsolve.vehicles.vehicle import Pencil
-
-_LOST = 1e-12
-"""Of a receptance: what residues of close p-roots may lose in float64 before companion matrices take their place."""
 
 
 @dataclass(frozen=True)
@@ -90,43 +87,13 @@ class Image:
         S = [d[:, None] * rows * d for rows in S]
         return S, d[:, None] * np.array(pencil.B, float), np.array(pencil.h, float) / g, d, g
 
-    def _green(self, sigma: Any) -> Complexes:
-        """Ĝ at all distances, shape (distances, len(σ))."""
-        distances, up = self._distances[0], self.receptance.upper
-        z, w = self.receptance.waves(sigma)
-        xi = np.array([float(x) for x in distances])
-        ahead = xi >= 0
-        out = np.empty((len(xi), len(sigma)), complex)
-        with np.errstate(all="ignore"):
-            for side, some, sign in ((slice(0, up), ahead, 1.0), (slice(up, None), ~ahead, -1.0)):
-                waves = np.exp(xi[some, None, None] * z[:, side]) * (sign * w[:, side])
-                out[some] = waves.sum(-1)
-            lost = self._lost(z, w)
-        if lost.any():
-            out[:, lost] = np.array(self.receptance.together(sigma[lost], z[lost], distances, False)[0])
-        return out
-
-    def _lost(self, z: Any, w: Complexes) -> Any:
-        """Where residues of close roots of one side cancel too far: each loses its weight times (size/gap)²."""
-        up, size = self.receptance.upper, np.abs(w)
-        spread = np.zeros(z.shape)
-        for side in (slice(0, up), slice(up, None)):
-            own = z[:, side]
-            gap = np.abs(own[:, :, None] - own[:, None, :])
-            gap[:, range(own.shape[1]), range(own.shape[1])] = np.inf
-            if own.shape[1] > 1:
-                spread[:, side] = np.abs(own) / gap.min(-1)
-        loss = 2.0**-53 * (size * spread * spread).max(-1)
-        return ~(loss < _LOST * np.abs(w[:, :up].sum(-1)))
-
     def matrices(self, sigma: Any) -> tuple[Complexes, Complexes]:
         """A(σ̂) of scaled bodies and contact forces, and Ĝ from the places to the contacts."""
-        if self.effort is not None:
-            self.effort.spend(len(sigma))
+        self.spend(len(sigma))
         S, B, h, _, _ = self._scaled
-        _, among, seen = self._distances
+        distances, among, seen = self._distances
         n, m = self.size, self.contacts
-        G = self._green(sigma)
+        G = np.array(self.receptance(sigma, distances, slope=False)[0])
         A = np.zeros((len(sigma), n + m, n + m), complex)
         s = sigma[:, None, None]
         A[:, :n, :n] = S[0] + s * (S[1] + s * S[2])
@@ -149,9 +116,25 @@ class Image:
         rail = g * (seen @ f[..., None])[..., 0]
         return np.concatenate([g * d * x[:, :n], f, rail], 1)
 
+    @cached_property
+    def felt(self) -> Floats:
+        """Δ̂, without the motions that no contact feels."""
+        return Floats(reduce_problem(self.problem))
+
     def phase(self, sigma: Any) -> Any:
-        """det A/|det A|, with a positive factor that keeps it a rational function of the receptances."""
-        return np.linalg.slogdet(self.matrices(sigma)[0])[0]
+        """Δ̂/|Δ̂|."""
+        self.spend(len(sigma))
+        return np.linalg.slogdet(self.felt.matrix(sigma))[0]
+
+    def step(self, sigma: Any, known: Any) -> Any:
+        """Newton's step to a zero of Δ̂, the known ones and their mirror images divided out."""
+        self.spend(len(sigma))
+        return self.felt.step(sigma, [*known, *(np.conj(z) for z in known if z.imag)])
+
+    def spend(self, evaluations: int) -> None:
+        """EffortError where the effort is spent."""
+        if self.effort is not None:
+            self.effort.spend(evaluations)
 
 
 @lru_cache(maxsize=32)

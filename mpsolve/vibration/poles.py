@@ -21,7 +21,7 @@ from mpsolve.spectrum.unfelt import unfelt_frequencies
 from mpsolve.tracks.at_rest import lowest_cut
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.residues import Pole
-from mpsolve.vibration.search import count_zeros, find_zeros
+from mpsolve.vibration.search import count_zeros, find_zeros, number
 
 _TOUCHING = 1e-9
 """Scaled: a root that is nearer to a cut has no residue of its own in float64."""
@@ -107,9 +107,8 @@ def _searched(image: Image) -> Poles:
         if more > count:
             count, path = more, longer
     unfelt = _right_of(_unfelt(reduced, image.rate), floor)
-    rest = count - _number(unfelt) - (reduced.neutral if floor < 0 else 0)
-    found = find_zeros(image, floor, rest, path, tuple(pole.sigma for pole in unfelt))
-    return Poles((*unfelt, *found), floor, cut, reduced.neutral, _number(found) == rest)
+    found = find_zeros(image, floor, count, path)
+    return Poles((*unfelt, *found), floor, cut, reduced.neutral, number(found) == count)
 
 
 def natural(image: Image) -> float:
@@ -129,10 +128,6 @@ def natural(image: Image) -> float:
 def lowest(image: Image) -> float:
     """Re σ of the lowest cut, scaled: none lies to the right."""
     return -float(lowest_cut(image.problem.track)[0]) / image.rate
-
-
-def _number(poles: tuple[Pole, ...] | list[Pole]) -> int:
-    return sum(pole.multiplicity * (1 if pole.sigma.imag == 0 else 2) for pole in poles)
 
 
 def _unfelt(reduced: Reduced, rate: float) -> list[Pole]:

@@ -1,4 +1,4 @@
-"""The zeros of det A to the right of a line below the cuts, in floats: counted by its argument, found by Newton.
+"""The zeros of Δ̂ to the right of a line below the cuts, in floats: counted by its argument, found by Newton.
 
 Zeros that float64 cannot tell apart come as one, with their number. Nothing is proved here. The motion is a test: it
 must vanish before the loads come, and a root that is left out shows there.
@@ -22,14 +22,13 @@ _MOST = 20_000
 _NEWTON = 30
 _SAME = 2e-5
 """Relative: zeros that are nearer are taken together."""
-_SLOPE = 1e-6
 _ROWS = (0.5, 0.15, 0.02, -0.02, -0.3)
 
 
 def count_zeros(image: Image, floor: float, reach: float) -> tuple[int, Complexes]:
     """How many zeros have Re σ > floor, |σ| below the reach, by the turn of the argument; and the path walked.
 
-    PrecisionError where floats lose det A on the path, as for very short waves far out.
+    PrecisionError where floats lose Δ̂ on the path, as for very short waves far out.
     """
     up = floor + 1j * np.concatenate([[0.0], np.geomspace(1e-5, 1, 120) * reach])
     angle = np.linspace(float(np.angle(up[-1])), 0, 40)[1:]
@@ -43,32 +42,31 @@ def count_zeros(image: Image, floor: float, reach: float) -> tuple[int, Complexe
     return max(0, int(np.rint(-turn / np.pi))), path
 
 
-def find_zeros(image: Image, floor: float, count: int, path: Complexes, known: tuple[complex, ...]) -> list[Pole]:
-    """The zeros with Re σ > floor and Im σ ≥ 0, up to `count` with their mirror images; `known` ones are left out."""
+def find_zeros(image: Image, floor: float, count: int, path: Complexes) -> list[Pole]:
+    """The zeros with Re σ > floor and Im σ ≥ 0, up to `count` with their mirror images."""
     found: list[Pole] = []
-    away = np.array(known, complex)
     height = path.imag.max()
     starts = path[:: max(1, len(path) // 300)]
     rows = [starts] + [part * floor + 1j * np.geomspace(1e-5, 1, 80) * height for part in _ROWS]
     for starts in rows:
-        if _number(found) >= count:
+        if number(found) >= count:
             break
-        for sigma in _newton(image, starts, floor, np.concatenate([away, [pole.sigma for pole in found]])):
-            found.append(_counted(image, sigma))
+        found += [_counted(image, sigma) for sigma in _newton(image, starts, floor, [one.sigma for one in found])]
     return found
 
 
-def _number(poles: list[Pole]) -> int:
+def number(poles: list[Pole]) -> int:
+    """With multiplicity and mirror images."""
     return sum(pole.multiplicity * (1 if pole.sigma.imag == 0 else 2) for pole in poles)
 
 
-def _newton(image: Image, starts: Complexes, floor: float, known: Any) -> list[complex]:
+def _newton(image: Image, starts: Complexes, floor: float, known: list[complex]) -> list[complex]:
     """New zeros, each once."""
     sigma = starts
     out: list[complex] = []
     with np.errstate(all="ignore"):
         for _ in range(_NEWTON):
-            step = _newton_step(image, sigma, known)
+            step = image.step(sigma, known)
             limit = 0.5 * np.abs(sigma) + abs(floor)
             size = np.abs(step)
             step = np.where(size > limit, step * limit / size, step)
@@ -85,31 +83,6 @@ def _newton(image: Image, starts: Complexes, floor: float, known: Any) -> list[c
             if not len(sigma):
                 break
     return out
-
-
-def _newton_step(image: Image, sigma: Any, known: Any) -> Any:
-    """−1/(log det A)′, the zeros that are known divided out."""
-    h = _SLOPE * np.abs(sigma)
-    three = image.matrices(np.concatenate([sigma - h, sigma, sigma + h]))[0]
-    before, here, after = np.split(three, 3)
-    rate = (after - before) / (2 * h)[:, None, None]
-    fine = np.isfinite(rate).all((1, 2)) & np.isfinite(here).all((1, 2))
-    here, rate = np.where(fine[:, None, None], here, np.eye(here.shape[1])), np.where(fine[:, None, None], rate, 0)
-    slope = _traces(here, rate)
-    for z in known:
-        slope = slope - 1 / (sigma - z) - (1 / (sigma - np.conj(z)) if z.imag else 0)
-    return np.where(fine, -1 / slope, np.nan)
-
-
-def _traces(A: Complexes, A_slope: Complexes) -> Any:
-    """tr(A⁻¹A′); infinite where A is singular, at a zero itself."""
-    try:
-        return np.linalg.solve(A, A_slope).trace(axis1=1, axis2=2)
-    except np.linalg.LinAlgError:
-        if len(A) == 1:
-            return np.array([np.inf])
-        half = len(A) // 2
-        return np.concatenate([_traces(A[:half], A_slope[:half]), _traces(A[half:], A_slope[half:])])
 
 
 def _counted(image: Image, sigma: complex) -> Pole:

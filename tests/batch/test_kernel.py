@@ -15,7 +15,7 @@ def test_waves_gap_by_gap_and_companions_say_the_same(name: str, monkeypatch: py
     group, sigma, rows = group_of(PROBLEMS[name]), points(), np.zeros(30, int)
     plain = receptances(group, rows, sigma, slope=True)
     unequal = (wave_sums, "_EQUAL", -1.0)  # all pairs, not one sum for each distance
-    for changes in ((unequal,), (unequal, (wave_sums, "_REACH", 0.0)), ((kernel, "_NEAR_SLOPE", 1e9),)):
+    for changes in ((unequal,), (unequal, (wave_sums, "_REACH", 0.0)), ((kernel, "_LOST", 0.0),)):
         with monkeypatch.context() as other:
             for change in changes:
                 other.setattr(*change, raising=True)

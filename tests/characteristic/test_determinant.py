@@ -7,13 +7,13 @@ from itertools import pairwise
 from typing import Any
 
 import pytest
+from evans import delta, evans, split_digits
 from residue import TRACKS, Residues, holds, random_track
 
 from mpsolve.characteristic.bordering import Bordering
-from mpsolve.characteristic.determinant import delta, evans
 from mpsolve.characteristic.floats import Floats
 from mpsolve.characteristic.proved import Proved
-from mpsolve.characteristic.splitting import Splitting, monic, split_digits
+from mpsolve.characteristic.splitting import Splitting, monic
 from mpsolve.characteristic.symbol import Symbols
 from mpsolve.numbers.balls import Balls, acb, arb, precision
 from mpsolve.numbers.multiprecision import Multiprecision

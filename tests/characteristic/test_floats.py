@@ -161,3 +161,17 @@ def test_thousands_of_points_in_a_second() -> None:
     start = time.process_time()
     floats.delta(points(0, 4000))
     assert time.process_time() - start < 2
+
+
+def test_newtons_step_leads_to_one_zero_and_then_to_another() -> None:
+    """For a pair on a damped beam; at the zeros found Δ̂ is as good as 0 beside what it is around."""
+    floats = Floats(reduce_problem(problem("masses")))
+    found: list[complex] = []
+    for start in (0.1j, 0.3j):
+        sigma = np.array([start])
+        for _ in range(60):
+            sigma = sigma + floats.step(sigma, found)
+        around = floats.delta(sigma * (1 + 1e-3 * np.array([1, 1j, -1, -1j])))[0]
+        assert np.abs(floats.delta(sigma)[0][0]) < 1e-9 * np.abs(around).min()
+        assert all(abs(sigma[0] - other) > 1e-3 for other in found)
+        found.append(complex(sigma[0]))

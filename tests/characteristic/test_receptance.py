@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from residue import Residues, random_track
 
-from mpsolve.characteristic.receptance import Coefficients, by_companions, companion, residues
+from mpsolve.characteristic.receptance import by_companions, companion, residues
 from mpsolve.characteristic.splitting import Splitting, monic
 from mpsolve.characteristic.symbol import Symbols
 from mpsolve.numbers.balls import Balls, acb, precision
@@ -35,8 +35,8 @@ def entry(K: Any, xi: float) -> complex:
     if isinstance(K, Balls):
         with precision(100):
             U, L, G = ([acb(complex(c)) for c in part] for part in (*coefficients, F))
-            return complex(residues(K, U, L, G, [acb(xi)])[0])
-    found = residues(K, *coefficients, F, [xi])[0]
+            return complex(residues(K, [U], [L], [G], [acb(xi)])[0][0])
+    (found,) = residues(K, *([part] for part in (*coefficients, F)), [xi])[0]
     return complex(np.asarray(found).reshape(-1)[0]) if isinstance(K, Float64) else complex(found)
 
 
@@ -47,11 +47,11 @@ def test_the_same_sum_in_all_arithmetics(xi: float) -> None:
 
 
 def test_the_companion_matrix_has_the_roots() -> None:
-    assert np.allclose(np.sort_complex(np.linalg.eigvals(companion(Float64(), list(monic(A))))), np.sort_complex(A))
+    assert np.allclose(np.sort_complex(np.linalg.eigvals(companion(Float64(), [list(monic(A))]))), np.sort_complex(A))
 
 
 def test_no_root_gives_nothing() -> None:
-    assert residues(Float64(), [], list(monic(B)), F, [0, 1]) == [0, 0]
+    assert residues(Float64(), [[]], [list(monic(B))], [F], [0, 1]) == [(0,), (0,)]
 
 
 @pytest.mark.parametrize("size", [1, 2])
@@ -65,8 +65,8 @@ def test_values_and_slopes_against_residues(size: int) -> None:
     D = symbols.D.at(K, s)
     xi = [Fraction(-3, 2), Fraction(0), Fraction(2)]
     split = Splitting(D[-1], monic(roots[:upper]), monic(roots[upper:]))
-    G, G_sigma = by_companions(K, symbols, split, s, xi, True)
-    local = Coefficients(*(x.at(K, s) for x in (symbols.D, symbols.N, symbols.D_sigma, symbols.N_sigma)))
+    local = symbols.at(K, s)
+    G, G_sigma = by_companions(K, local, split, [K.number(x) for x in xi], [x >= 0 for x in xi], True)
     for x, value, slope in zip(xi, G, G_sigma, strict=True):
         side, sign = (roots[:upper], 1) if x >= 0 else (roots[upper:], -1)
         terms, number = [local.terms(z) for z in side], K.number(x)

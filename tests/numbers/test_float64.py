@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.polynomial.polynomial import polyval2d
 
-from mpsolve.numbers.float64 import Float64, distinct, value_at
+from mpsolve.numbers.float64 import Float64, distinct, log_slope, value_at
 
 K = Float64()
 
@@ -45,3 +45,17 @@ def test_values_of_two_variables_are_numpys_to_the_bit() -> None:
     for shape in ((), (5,), (2, 6)):
         x, y = rng.normal(size=(2, *shape))
         assert (value_at(x, y, c) == polyval2d(x, y, c)).all()
+
+
+def test_the_slope_of_a_logarithm_of_determinants() -> None:
+    """Against difference quotients; a singular matrix and one that is not finite leave the others alone."""
+    draw = np.random.default_rng(4)
+    A, A_slope = draw.normal(size=(2, 4, 3, 3)) + 1j * draw.normal(size=(2, 4, 3, 3))
+    h = 1e-6
+    moved = np.log(np.linalg.det(A + h * A_slope) / np.linalg.det(A - h * A_slope)) / (2 * h)
+    assert np.allclose(log_slope(A, A_slope), moved, rtol=1e-7)
+    A[1], A[2, 0, 0] = 0, np.nan
+    found = log_slope(A, A_slope)
+    assert np.allclose(found[[0, 3]], moved[[0, 3]], rtol=1e-7)
+    assert abs(found[1]) > 1e290
+    assert np.isnan(found[2])

@@ -12,14 +12,13 @@ from fractions import Fraction
 from itertools import combinations, pairwise
 from typing import Any
 
-import flint
-from flint import fmpq, fmpq_poly
+from flint import fmpq_poly
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_poly, arb, rational_ball, square
-from mpsolve.passivity.decay import in_s
+from mpsolve.passivity.decay import Edge, edges, in_s
+from mpsolve.tracks.waveguide import Polynomial
 
-Polynomial = Mapping[tuple[int, int], Fraction]
 _GROWN, _FINEST = 30, 60
 _TOGETHER = "p-roots far out cannot be told apart: go further"
 
@@ -53,11 +52,12 @@ class FarRoot:
 def far_roots(D: Polynomial, N: Polynomial, v: Fraction, radius: arb) -> list[FarRoot]:
     """All p-roots of D(P, σ) for |σ| ≥ radius, apart from each other; PrecisionError where that is not proved."""
     out: list[FarRoot] = []
-    for power in _powers(D):
-        if not 0 <= power <= 1:
-            raise PrecisionError(f"p-roots that go as σ^({power}) are beyond what is proved of the motion in balls")
-        still = _multiplicity(_edge(D, power), 1 / v) if power == 1 and v else 0
-        out += _along(D, N, power, radius, 1 / v if still > 1 else None)
+    for edge in edges(D, N):
+        if not 0 <= edge.slope <= 1:
+            stated = f"p-roots that go as σ^({edge.slope}) are beyond what is proved"
+            raise PrecisionError(f"{stated} of the motion in balls")
+        rest, still = edge.without(1 / v) if edge.slope == 1 and v else (edge.roots, 0)
+        out += _along(D, N, edge, rest if still > 1 else edge.roots, radius)
         if still > 1:
             out += _still(D, N, v, radius)
     if len(out) != max(i for i, _ in D):
@@ -89,8 +89,9 @@ def turn(power: Fraction) -> acb:
 
 def _still(D: Polynomial, N: Polynomial, v: Fraction, radius: arb) -> list[FarRoot]:
     """The p-roots with P = (σ − s)/v, s = σ^w (…), w < 1."""
-    moved, over = ({key: c for key, c in in_s(one, v).items() if c} for one in (D, N))
-    found = [root for power in _powers(moved) if power < 1 for root in _along(moved, over, power, radius, None)]
+    moved, over = in_s(D, v), in_s(N, v)
+    slow = (edge for edge in edges(moved, over) if edge.slope < 1)
+    found = [root for edge in slow for root in _along(moved, over, edge, edge.roots, radius)]
     _apart(found)
     if any(root.power for root in found):
         raise PrecisionError("waves that stay on the track far out are beyond what is proved of the motion in balls")
@@ -104,41 +105,6 @@ def _still(D: Polynomial, N: Polynomial, v: Fraction, radius: arb) -> list[FarRo
     return out
 
 
-def _powers(D: Polynomial) -> list[Fraction]:
-    """w of the edges of the upper hull of the exponents."""
-    highest: dict[int, int] = {}
-    for i, j in D:
-        highest[i] = max(highest.get(i, -1), j)
-    hull: list[tuple[int, int]] = []
-    for c in sorted(highest.items()):
-        while len(hull) > 1:
-            a, b = hull[-2:]
-            if (b[1] - a[1]) * (c[0] - a[0]) > (c[1] - a[1]) * (b[0] - a[0]):
-                break
-            hull.pop()
-        hull.append(c)
-    return [Fraction(a[1] - b[1], b[0] - a[0]) for a, b in pairwise(hull)]
-
-
-def _edge(D: Polynomial, power: Fraction) -> fmpq_poly:
-    """The polynomial of z₀ in exact numbers, without roots 0."""
-    _, terms = _scaled(D, power)
-    row = {i: c for (i, k), c in terms.items() if not k}
-    low, high = min(row), max(row)
-    return flint.fmpq_poly([_exact(row.get(i, Fraction(0))) for i in range(low, high + 1)])
-
-
-def _exact(x: Fraction) -> fmpq:
-    return flint.fmpq(x.numerator, x.denominator)
-
-
-def _multiplicity(polynomial: fmpq_poly, z: Fraction) -> int:
-    count = 0
-    while polynomial and polynomial(_exact(z)) == 0:
-        polynomial, count = polynomial.derivative(), count + 1
-    return count
-
-
 def _scaled(polynomial: Polynomial, power: Fraction) -> tuple[int, dict[tuple[int, int], Fraction]]:
     """m and the terms z^i ζ^k of polynomial(z ζ^{−a}, ζ^{−b}) ζ^m."""
     a, b = power.numerator, power.denominator
@@ -146,15 +112,16 @@ def _scaled(polynomial: Polynomial, power: Fraction) -> tuple[int, dict[tuple[in
     return m, {(i, m - a * i - b * j): c for (i, j), c in polynomial.items()}
 
 
-def _along(D: Polynomial, N: Polynomial, power: Fraction, radius: arb, without: Fraction | None) -> list[FarRoot]:
-    """The roots of one edge, but for those at `without`."""
+def _along(D: Polynomial, N: Polynomial, edge: Edge, roots: fmpq_poly, radius: arb) -> list[FarRoot]:
+    """The roots of one edge, of which `roots` are looked at, or some of them."""
+    power, gamma = edge.slope, -edge.weight
     b = power.denominator
     m, terms = _scaled(D, power)
-    m_N, over = _scaled(N, power)
+    over = _scaled(N, power)[1]
     zeta = arb(power_of(radius, Fraction(-1, b)).upper())
-    starts = _starts(_edge(D, power), without)
+    starts = _starts(roots)
     odd = len({(i + j) % 2 for i, j in D if m == power.numerator * i + b * j}) > 1
-    gamma, out = Fraction(m - power.numerator - m_N, b), []
+    out = []
     for z0 in starts:
         about = _about(terms, z0)
         z1, Y = _kept(about, zeta)
@@ -188,10 +155,8 @@ def _ratio(N: tuple[acb, acb, arb], D: tuple[Any, Any, Any], zeta: arb) -> tuple
     return w0, w1, arb(off.upper())
 
 
-def _starts(edge: Any, without: Fraction | None) -> list[acb]:
-    """The roots z₀ of the edge, which must be simple."""
-    while without is not None and edge(_exact(without)) == 0:
-        edge = edge / flint.fmpq_poly([-_exact(without), 1])
+def _starts(edge: fmpq_poly) -> list[acb]:
+    """The roots z₀, which must be simple."""
     try:
         return list(acb_poly([acb(arb(c)) for c in edge.coeffs()]).roots())
     except ValueError:

@@ -8,15 +8,17 @@ from typing import Any
 
 from mpsolve.characteristic.bordering import Bordering
 from mpsolve.characteristic.receptance import at_matrix, by_companions, companion
-from mpsolve.characteristic.splitting import Splitting
+from mpsolve.characteristic.splitting import Splitting, monic
 from mpsolve.characteristic.symbol import Symbols, product
 from mpsolve.numbers.arithmetic import Arithmetic
+from mpsolve.numbers.multiprecision import Multiprecision
 from mpsolve.problem.reduced import Reduced
 
 
 def delta(K: Arithmetic, border: Bordering, symbols: Symbols, split: Splitting, sigma: Any) -> tuple[Any, Any]:
     """Δ̂ and its slope in σ from the factors U and L, in any arithmetic; where Δ̂ is not 0."""
-    G, G_sigma = by_companions(K, symbols, split, sigma, border.distances, True)
+    xi, ahead = [K.number(x) for x in border.distances], [x >= 0 for x in border.distances]
+    G, G_sigma = by_companions(K, symbols.at(K, sigma), split, xi, ahead, True)
     A = border.at(K, sigma, G)
     turn = K.solve(A, border.slope_at(K, sigma, G, G_sigma))
     value, trace = K.det(A), K.entry(turn, 0, 0)
@@ -35,8 +37,8 @@ def evans(K: Arithmetic, reduced: Reduced, symbols: Symbols, split: Splitting, s
     N = [(like + c) / split.lead for c in symbols.N.at(K, sigma)]
     R, corner, ahead, back = like + 1, [], [], []
     if m:
-        C = companion(K, [like + c for c in U])
-        NU, LU = at_matrix(K, N, C, m), at_matrix(K, [*(like + c for c in L), like + 1], C, m)
+        C = companion(K, [[like + c for c in U]])
+        NU, LU = at_matrix(K, [N], C, m), at_matrix(K, [[*(like + c for c in L), like + 1]], C, m)
         R, corner = K.det(LU), [K.entry(LU, i, j) for i in range(m) for j in range(m)]
         moved = [like + K.number(x - middle) for x in places]
         grown = [K.product(K.exp(K.times(C, x)), NU) for x in moved]
@@ -50,9 +52,16 @@ def evans(K: Arithmetic, reduced: Reduced, symbols: Symbols, split: Splitting, s
 def _jumps(K: Arithmetic, D: Sequence[Any], N: Sequence[Any], distances: Sequence[Fraction]) -> list[Any]:
     """The sum of the residues at all roots of D where ξ < 0, and 0 where ξ ≥ 0."""
     n, like = len(D), D[0] * 0
-    C = companion(K, D)
+    C = companion(K, [D])
     last = K.matrix([[like + int(i == n - 1)] for i in range(n)])
-    tail = K.product(at_matrix(K, N, C, n), last)
+    tail = K.product(at_matrix(K, [N], C, n), last)
     return [
         like if x >= 0 else K.entry(K.product(K.exp(K.times(C, like + K.number(x))), tail), 0, 0) for x in distances
     ]
+
+
+def split_digits(K: Multiprecision, symbols: Symbols, sigma: Any, upper: int) -> Splitting:
+    """The splitting in mpmath, without proof: the `upper` roots of smallest real part are those of U."""
+    D = symbols.D.at(K, sigma)
+    roots = sorted(K.roots(D), key=lambda z: z.real)
+    return Splitting(D[-1], monic(roots[:upper]), monic(roots[upper:]))
