@@ -24,6 +24,7 @@ from mpsolve.certificate import verify2 as v2
 
 LAYERS = p.two_layer(6380430, "60.2", 3 * 10**8, 3 * 10**4, 250, 10**8, 8 * 10**4)
 PAPER = p.beam("1/4", 1, 1, "1/10")
+UNDAMPED = p.beam("1/4", 1, 1, 0)
 RAIL = p.beam("6.4e6", 60, 10**6, 770, 0, 0, "1e-4")
 WIRE = p.string(27000, "1.07", 500, 2)
 J, S = Fraction(7860) * Fraction("3.037e-5"), Fraction("0.393") * Fraction("80.769e9") * Fraction("76.70e-4")
@@ -576,6 +577,104 @@ def test_p_roots_over_a_disc_lie_in_their_discs_and_hold_together_with_the_pair(
         assert not found.holds(v2.Apart(thin.local, thin.z, up - 1, thin.e, [], []))
 
 
+def exchanged(found):
+    """The same p-roots, one of each side taken for one of the other."""
+    order = [found.up, *range(1, found.up), 0, *range(found.up + 1, len(found.z))]
+    z, e = ([x[k] for k in order] for x in (found.z, found.e))
+    return v2.Apart(found.local, z, found.up, e, *found.local.about(z, found.local.D))
+
+
+def begun(track=PAPER):
+    """A walker for one mass, its p-roots at a point with Im q < 0, and the mark there."""
+    eq, at = p.equations(track, "1/2", p.masses([40], [0])), (fmpq(1), fmpq(-1, 10))
+    car, track = v2.read_vehicle(eq["vehicle"], None), v2.read_track(eq["track"], eq["velocity"])
+    walker = v2.Walker(waves := v2.Waves(track, car.places), v2.Bordered(car, waves))
+    local = walker.near(v2.at_q(at))
+    walker.marks[at] = mark = v2.Mark(at, v2.Apart.of(local, *v2.sorted_roots(local)))
+    return walker, mark
+
+
+@pytest.mark.parametrize("kind", ["link", "turn", "passive"])
+def test_a_piece_that_goes_on_from_another_pair_is_refused(kind):
+    """One root of each side exchanged at the mark where a piece begins, in a disc of p-roots or of a pair."""
+    with v2.precision(64):
+        walker, mark = begun()
+        z, up = mark.known.z, mark.known.up
+        over = walker.waves.near(v2.Place.disc(mark.sigma, arb("0.02")))
+        found = (v2.split_near if kind == "link" else v2.apart_near)(over, (z, up))
+        right = v2.Apart.of(over, z, up)
+        for one, fine in ((right, True), (exchanged(right), False)):
+            for known in (one, v2.Nodes(one.z, up, over).split()):
+                assert walker.joins(v2.Mark(mark.q, known), found) is fine
+        right = mark.known.near
+        mark.known = mark.thin = exchanged(mark.known)
+        mark.known.near = right  # else the piece goes on with the roots exchanged
+        with pytest.raises(v2.Refused, match="join on"):
+            walker.chain(kind, [mark.q, (fmpq(1), fmpq(-1, 11))])
+        mark.thin = None
+        with pytest.raises(v2.Refused, match="join on"):
+            walker.thin(mark)
+
+
+def test_a_loop_once_round_a_branch_point_does_not_come_back():
+    """Twice it does: the two p-roots that meet there are exchanged once."""
+    content = json.loads((CERTS / "undamped_subcritical.json").read_bytes())
+    (value,) = content["theorem"]["lower"][:1]
+    (loop,) = v2.read_loops([value])
+    track = v2.read_track(content["equations"]["track"], content["equations"]["velocity"])
+    vehicle = v2.read_vehicle(content["equations"]["vehicle"], None)
+    with v2.precision(64):
+        walker = v2.Walker(waves := v2.Waves(track, vehicle.places), v2.Bordered(vehicle, waves))
+        walker.begin(v2.dyadic(content["start"], "start"))
+        for path in v2.read_paths(content["paths"][:2], "link turn"):
+            walker.path(path)
+        beside = acb(0, 1) * arb(loop.centre)
+        near = min(
+            itertools.combinations(v2.p_roots(walker.near(beside)), 2), key=lambda two: abs(complex(two[0] - two[1]))
+        )
+        pole = acb(0, (near[0] + near[1]).imag / 2).mid()
+        half = v2.Loop(loop.centre, loop.radius, loop.points[: len(loop.points) // 2 + 1])
+        assert half.points[0] == half.points[-1]
+        with pytest.raises(v2.Refused, match="come back"):
+            walker.around(half, pole)
+        walker.around(loop, pole)
+
+
+def test_p_roots_in_discs_that_meet_are_refused():
+    for e, fine in (("0.04", True), ("0.06", False)):
+        with v2.precision(64):
+            if fine:
+                assert v2.Apart(None, [acb(0), acb("0.1")], 1, [arb(e)] * 2, [], []).sides == [range(1), range(1, 2)]
+            else:
+                with pytest.raises(v2.Refused, match="not told apart"):
+                    v2.Apart(None, [acb(0), acb("0.1")], 1, [arb(e)] * 2, [], [])
+
+
+def test_a_disc_on_which_the_highest_coefficient_vanishes_is_refused():
+    """(σ − 1)P² − 1: at σ = 1 its roots are at infinity."""
+    d = {(2, 1): fmpq(1), (2, 0): fmpq(-1), (0, 0): fmpq(-1)}
+    waves = v2.Waves(SimpleNamespace(d=d, n={(0, 0): fmpq(1)}, degree=2), [{}])
+    for r, fine in (("0.3", True), ("1.1", False), ("30", False)):
+        with v2.precision(64):
+            local = waves.near(v2.Place.disc(acb(2), arb(r)))
+            if fine:
+                assert v2.Apart.of(local, [acb(-1), acb(1)], 1).sided
+            else:
+                with pytest.raises(v2.Refused, match="highest coefficient"):
+                    v2.Apart.of(local, [acb(-1), acb(1)], 1)
+
+
+def test_no_root_is_proved_where_a_p_root_may_be_real():
+    """On the edge of the cut of an undamped beam."""
+    with v2.precision(64):
+        walker, _ = begun(track=UNDAMPED)
+        for q, stated in (((fmpq(3), fmpq(0)), "real"), ((fmpq(3), fmpq(-1, 10)), "as many roots")):
+            with pytest.raises(v2.Refused, match=stated):
+                v2.check_root(
+                    walker.waves.track, walker.bordered.vehicle, v2.Root(q, fmpq(1, 10**9), 1, False, 60), walker
+                )
+
+
 def test_many_digits():
     value = p.refine(content("two-layer 680"), 1000)
     said = verdict(value)
@@ -995,6 +1094,26 @@ def test_a_point_at_zero_on_the_side_of_a_rectangle_and_no_passive_piece_there()
         assert abs(back + there) < 1e-9
         with pytest.raises(v2.Refused, match="passive piece"):
             walker.path(v2.Path("passive", [near, (fmpq(0), fmpq(0))]))
+        mark = walker.marks[near]
+        mark.thin = exchanged(walker.thin(mark))
+        with pytest.raises(v2.Refused, match="does not join on to q = 0"):
+            walker.path(v2.Path("turn", [near, (fmpq(0), fmpq(0))]))
+
+
+@pytest.mark.parametrize(
+    ("sign", "r", "stated"),
+    [(-1, "0.2", None), (1, "0.2", "a p-root may be real next to q = 0"), (-1, "0.45", "not told apart")],
+)
+def test_waves_next_to_zero_that_are_not_told_apart_are_refused(sign, r, stated):
+    """P² ± σ² − P⁴: P near ±σ, or ±iσ, and near ±1."""
+    t = {(2, 0): fmpq(1), (0, 2): fmpq(sign), (4, 0): fmpq(-1)}
+    with v2.precision(64):
+        origin = v2.Origin(v2.Waves(SimpleNamespace(d=t, n={(0, 1): fmpq(1)}, degree=4), [{}]))
+        if stated is None:
+            assert [one.up for one in origin.roots(arb(r))] == [1, 1]
+        else:
+            with pytest.raises(v2.Refused, match=stated):
+                origin.roots(arb(r))
 
 
 def zeros_proved(A, r, m):
