@@ -106,7 +106,8 @@ class Receptance:
             sizes = [np.abs(c) for side in self._sides(z) for c in monic([side[:, k] for k in range(side.shape[1])])]
             together = 64 * U * max(1.0, farthest) * np.max([np.ones(len(z)), *sizes], 0) > _LOST
             alone = (off * farthest > _LOST).any(-1)
-            return unclear | np.where(self._meet(z), together, alone) | ~np.isfinite(z).all(-1)
+            lost: Truths = unclear | np.where(self._meet(z), together, alone) | ~np.isfinite(z).all(-1)
+            return lost
 
     def together(
         self, sigma: Any, z: Any, xi: Sequence[Fraction], slope: bool
