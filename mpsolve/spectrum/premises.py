@@ -18,6 +18,7 @@ from mpsolve.problem.reduced import Reduced
 from mpsolve.spectrum.regions import Below, Rectangle, Region
 from mpsolve.tracks.at_rest import Status, at_rest, lowest_cut
 from mpsolve.tracks.passive import passivity
+from mpsolve.tracks.structure import passive_by_equations
 from mpsolve.tracks.undamped import damping_wanted
 
 
@@ -110,13 +111,18 @@ def tight_masses(line: Line) -> bool:
     return single and bare and not any(reduced.h)
 
 
-def open_at_rest(reduced: Reduced) -> str:
-    """Why the track at rest is not known to be passive; "" where σG is proved positive real at v = 0."""
+def open_at_rest(reduced: Reduced, certified: bool = True) -> str:
+    """Why the track at rest is not known to be passive; "" where σG is proved positive real at v = 0.
+
+    certified: whether a certificate has to show it.
+    """
     guide = reduced.guide
     found = passivity(reduced.problem.track)
     if not found.passive:
         p, omega = found.witness or (0.0, 0.0)
         return f"the track at rest gives energy to a harmonic force, at p = {p:.4g}, Omega = {omega:.4g}"
+    if certified and not passive_by_equations(reduced.problem.track.waveguide):
+        return "the track takes energy, but not each field by itself, as a certificate would have to show"
     if max(j for _, j in guide.N_rest) >= max(j for _, j in guide.D_rest):
         return (
             "the track's receptance does not fall with the frequency: the loaded field has neither mass nor damping"

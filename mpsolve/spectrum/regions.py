@@ -5,6 +5,7 @@ What a user gives is "sheet", "unstable", ("below", h) or a `Rectangle`; what an
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from typing import Literal
 
@@ -54,15 +55,21 @@ Answered = Region | Sheet
 
 def checked_region(given: object) -> Literal["sheet", "unstable"] | Below | Rectangle:
     """A region as a user gives it, ("below", h) as `Below`; InputError where it is none."""
-    if isinstance(given, (Below, Rectangle)) or (isinstance(given, str) and given in ("sheet", "unstable")):
+    if isinstance(given, Rectangle) or (isinstance(given, str) and given in ("sheet", "unstable")):
         return given  # type: ignore[return-value]
+    if isinstance(given, Below):
+        return replace(given, height=_height(given.height))
     if isinstance(given, tuple) and len(given) == 2 and isinstance(given[0], str) and given[0] == "below":
-        height = rational(given[1], "region")
-        if height <= 0:
-            raise InputError("region", f'ends below {shown(height)}, which must be above 0: "unstable" ends at 0')
-        return Below(height)
+        return Below(_height(given[1]))
     stated = f"is {str(given)[:60]!r}"
     raise InputError("region", f'{stated}: give "sheet", "unstable", ("below", h) with a number h, or a Rectangle')
+
+
+def _height(given: object) -> Fraction:
+    height = rational(given, "region")
+    if height <= 0:
+        raise InputError("region", f'ends below {shown(height)}, which must be above 0: "unstable" ends at 0')
+    return height
 
 
 __all__ = ["Answered", "Below", "HalfPlane", "Rectangle", "Region", "Sheet", "checked_region"]

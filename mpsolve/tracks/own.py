@@ -28,12 +28,13 @@ class Waveguide(waveguide.Waveguide):
         from mpsolve.tracks.at_rest import Status, at_rest
         from mpsolve.tracks.from_sympy import exact_matrix
         from mpsolve.tracks.passive import passivity
+        from mpsolve.tracks.structure import balanced
 
         rows = exact_matrix(matrix)
         if isinstance(loaded, bool) or not isinstance(loaded, int) or not 0 <= loaded < len(rows):
             last = len(rows) - 1
             raise InputError("loaded", f"is {loaded!r}: give the number of the field under the contacts, 0 to {last}")
-        super().__init__(rows, loaded)
+        super().__init__(balanced(rows, loaded), loaded)
         found = at_rest(self)
         if found.status is Status.UNSTABLE:
             raise InputError("matrix", f"is no track to stand on: {found.sentence}; check the signs of its entries")

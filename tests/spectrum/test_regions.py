@@ -44,7 +44,9 @@ def test_what_a_user_gives() -> None:
     assert checked_region(("below", "0.5")) == Below(Fraction(1, 2))
     assert checked_region(box) is box
     assert checked_region(Below(Fraction(2))) == Below(Fraction(2))
-    for wrong in ("lower", ("below",), ("below", 1, 2), ("above", 1), None, 5, ["below", 1], ("below", -1)):
+    assert checked_region(Below(0.5)) == Below(Fraction(1, 2))  # type: ignore[arg-type]
+    low = Below(Fraction(-1, 9))
+    for wrong in ("lower", ("below",), ("below", 1, 2), ("above", 1), None, 5, ["below", 1], ("below", -1), low):
         with pytest.raises(InputError) as caught:
             checked_region(wrong)
         assert caught.value.key == "region"

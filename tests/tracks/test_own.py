@@ -10,10 +10,11 @@ import sympy as sp
 from sympy import I
 from track_models import DAMPED
 
-from mpsolve import tracks
+from mpsolve import certify, tracks
 from mpsolve.derivation.tracks import derived, symbols_of
 from mpsolve.errors import InputError
 from mpsolve.problem.problem import Problem
+from mpsolve.tracks.structure import passive_by_equations
 from mpsolve.vehicles import Mass
 
 p, Omega = sp.symbols("p Omega")
@@ -88,3 +89,35 @@ def test_what_gives_energy_is_refused() -> None:
     assert tracks.Waveguide([[BEAM, g / 3], [-1, 1 + I * Omega]]).dispersion
     with pytest.raises(InputError, match="not passive: it gives energy to a force near"):
         tracks.Waveguide([[BEAM, g], [-1, 1 + I * Omega]])
+
+
+PAD, BALLAST = 3 + I * Omega / 5, 1 + I * Omega / 10
+RAIL = p**4 / 4 - Omega**2 + PAD
+LAYERS = [[RAIL, -PAD], [-PAD, -2 * Omega**2 + PAD + BALLAST]]
+
+
+@pytest.mark.parametrize("factors", [(2, 1), (1, 2), (-3, 1), (sp.Rational(1, 3), -5)])
+def test_rows_and_fields_may_have_any_scale(factors: tuple[Any, Any]) -> None:
+    """The sleeper's equation times a number, or its motion in another unit: the same track, seen to be passive."""
+    row, unit = factors
+    given = [[RAIL, -PAD * unit], [-PAD * row, LAYERS[1][1] * row * unit]]
+    own, plain = tracks.Waveguide(given), tracks.Waveguide(LAYERS)
+    ratio = own.dispersion[0, 0] / plain.dispersion[0, 0]
+    assert own.dispersion == {key: ratio * c for key, c in plain.dispersion.items()}
+    assert own.numerator == {key: ratio * c for key, c in plain.numerator.items()}
+    assert passive_by_equations(own)
+
+
+def test_a_track_that_does_not_show_its_passivity_is_counted_in_a_half_disc() -> None:
+    """The sleeper's motion relative to the rail: no certificate can show passivity by these equations."""
+    relative = [[RAIL - PAD, -PAD], [-2 * Omega**2 + BALLAST, -2 * Omega**2 + PAD + BALLAST]]
+    own = tracks.Waveguide(relative)
+    assert own.numerator == tracks.Waveguide(LAYERS).numerator
+    assert not passive_by_equations(own)
+    pair = [Mass(5).at(0), Mass(5).at(1)]
+    found, plain = (certify(Problem(track, pair, v="1.3"), region="unstable")
+                    for track in (own, tracks.Waveguide(LAYERS)))  # fmt: skip
+    assert found.proved
+    assert found.stable is plain.stable is False
+    assert [root.q.overlaps(other.q) for root, other in zip(found.roots, plain.roots, strict=True)] == [True, True]
+    assert "by itself" in found.note
