@@ -50,9 +50,11 @@ def crossings(
     progress: Progress | None = None,
     check: bool = True,
 ) -> Crossings:
-    """Every value of one parameter in a closed range at which a root is real: isolated, to `digits` digits.
+    """Every value of one parameter in a closed range at which a root crosses the real axis, to `digits` digits.
 
-    On a beam without damping, where roots may be real all over, those at which the number of growing roots changes.
+    At these the number of growing roots changes. Nothing is said of real roots that do not cross it: all over the
+    range on a beam without damping, or of motions that no contact feels through the track, as those of undamped
+    bodies against each other over one place.
 
     over: {path: (low, high)}, in the problem's units; a factor of all masses may have the high None: without end.
     The answer is proved where the list is complete and the numbers of unstable roots between its entries are known;

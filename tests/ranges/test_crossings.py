@@ -11,7 +11,7 @@ import pytest
 from flint import arb
 from free_cases import BEAM, LAYERS, PAIR
 
-from mpsolve import Case, Problem, tracks, vehicles
+from mpsolve import Case, Problem, tracks, vehicles, worst
 from mpsolve.certificate.solve import certify_problem
 from mpsolve.errors import InputError
 from mpsolve.numbers.balls import precision
@@ -32,6 +32,19 @@ Q, MASS = 0.19630126451137173, 52.87194079683106
 @pytest.fixture(scope="module")
 def in_velocity() -> Crossings:
     return crossings(PROBLEM, over={"v": (0, 1)}, digits=30)
+
+
+def test_a_real_root_that_no_contact_feels_through_the_track_is_no_crossing() -> None:
+    """Two equal bodies over one place: against each other they vibrate at √(k/M), whatever the track."""
+    bodies = [vehicles.Oscillator(wheel=1, body=2, k=1).at(0)] * 2
+    pair = Problem(tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1"), bodies, v="0.5")
+    found = crossings(pair, over={"vehicles[0].k": ("0.5", 2)})
+    assert (found.proved, found.crossings, found.counts) == (True, (), (0,))
+    lowest = worst(pair, over={"vehicles[0].k": ("0.5", 2)})
+    assert lowest.value is not None
+    assert lowest.value.overlaps(arb(1))
+    assert lowest.q.real.overlaps(arb("0.5").sqrt())  # type: ignore[union-attr]
+    assert lowest.q.imag.contains(0)  # type: ignore[union-attr]
 
 
 def test_velocities_are_those_of_the_engine_for_one_beam(in_velocity: Crossings) -> None:
