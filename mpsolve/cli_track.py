@@ -169,11 +169,12 @@ def train(file: Path, spacing: str | None, effort: str, as_json: bool) -> None:
     from mpsolve.endless.row import row_in
     from mpsolve.problem.case import Case
     from mpsolve.problem.inputfile import read_problem
+    from mpsolve.proof.stopping import listening
     from mpsolve.report.trains import train_data, train_text
 
     given = read_problem(file)
     row, count = row_in(given.problem if given.case is None else given.case, spacing)
-    with progress() as tell:
+    with progress() as tell, listening():
         budget, several = effort_of(effort), given.problem.pencil.contacts > 1
         found = infinite_train(row.problem, row.spacing, effort=budget, progress=tell)
         ratios = amplification(given.problem, effort=budget, progress=tell) if several else None
