@@ -13,6 +13,7 @@ from oracle_general.package import as_problem
 
 from mpsolve.passivity.absorption import Absorption
 from mpsolve.passivity.tail import Tail, _envelope, block_holds, outweighs, prove_tail
+from mpsolve.presets.written import problem_of
 from mpsolve.problem.reduced import reduce_problem
 
 RAIL = {"model": "euler-bernoulli", "EI": "6.38e6", "m": "60.2", "k": "1e6", "c": "770"}
@@ -148,3 +149,10 @@ def test_the_last_theorem_is_kept_for_its_own_track_alone() -> None:
     assert proved("euler-bernoulli")[2] is first
     assert proved("euler-bernoulli", "1.25")[2] != first
     assert proved("euler-bernoulli")[2] == first
+
+
+def test_absurd_velocities_are_planned_without_a_warning() -> None:
+    """At 3·10⁹ m/s short floats overflowed, which users saw as a line of the source."""
+    reduced = reduce_problem(problem_of("ballasted", "wheelset")[0].changed("v", "3e9"))
+    found = prove_tail(reduced.guide, reduced.smallest_gap)
+    assert found is None or all(np.isfinite(kappa) for *_, kappa in found.blocks)
