@@ -162,6 +162,9 @@ _UNCOLLECTED = 100_000  # objects that are made before a look for circles among 
 
 def main() -> None:
     """Run the command with standard output and error in UTF-8, whatever the locale says."""
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:  # it was closed by who runs this
+            setattr(sys, name, Path(os.devnull).open(mode, encoding="utf-8"))  # noqa: SIM115  as long as all runs
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(encoding="utf-8", errors="replace" if os.name == "nt" else "strict")

@@ -35,6 +35,7 @@ def answered(
     defaults: the ranges where none is given. endless: whether a range may have no upper end.
     """
     from mpsolve.problem.inputfile import read_source
+    from mpsolve.proof.stopping import listening
     from mpsolve.report.ranges_asked import asked
     from mpsolve.report.ranges_words import report_of
 
@@ -42,7 +43,7 @@ def answered(
     checked_file(output, file, "the answer", suffixes)
     checked_file(certificate, file, "the certificate", (".json",), "certificate")
     question = asked(source.given, source.title, overs, endless=endless)
-    with progress() as tell:
+    with progress() as tell, listening():
         said = [answer(question, tell)] if overs else _by_default(question, answer, tell, defaults)
     if as_json:
         echo_json(_data(said))

@@ -197,22 +197,26 @@ def _seconds(text: str) -> float | None:
 
 def _irregularities(problem: Problem, roughness: str | None, out_of_round: str | None) -> Rough:
     """What the options give: a wave on the rail, or uneven wheels, or nothing."""
-    from mpsolve.numbers.units import in_unit
     from mpsolve.vibration import forcing as kinds
 
-    def lengths(text: str, key: str, most: int) -> tuple[list[Any], list[int]]:
-        parts = [part.strip() for part in text.split(",")]
-        if not 2 <= len(parts) <= most or not all(part.isdecimal() for part in parts[2:]):
+    def parts(text: str, most: int) -> tuple[list[str], list[int]]:
+        words = [word.strip() for word in text.split(",")]
+        if not 2 <= len(words) <= most or not all(word.isdecimal() for word in words[2:]):
             raise InputError(
-                key, f"is {text!r}: give two lengths such as '20 µm, 0.8 m', see mpsolve response --help"
+                "length", f"is {text!r}: give two lengths such as '20 µm, 0.8 m', see mpsolve response --help"
             )
-        return [in_unit(part, "m", key, "length") for part in parts[:2]], [int(part) for part in parts[2:]]
+        return words[:2], [int(word) for word in words[2:]]
 
     if roughness is not None and out_of_round is not None:
         raise InputError("--roughness", "is given with --out-of-round: give one of them, the motion is linear")
-    if roughness is not None:
-        return kinds.rail_roughness(problem, *lengths(roughness, "--roughness", 2)[0])
-    if out_of_round is not None:
-        given, counts = lengths(out_of_round, "--out-of-round", 4)
-        return kinds.out_of_round(problem, *given, *counts)
+    try:
+        if roughness is not None:
+            (size, length), _ = parts(roughness, 2)
+            return kinds.rail_roughness(problem, size, length)
+        if out_of_round is not None:
+            (size, radius), counts = parts(out_of_round, 4)
+            return kinds.out_of_round(problem, size, radius, *counts)
+    except InputError as error:
+        key = "--roughness" if out_of_round is None else "--out-of-round"
+        raise InputError(key, f"{error.key} {error.said}".removeprefix("length ")) from None
     return None

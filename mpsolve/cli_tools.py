@@ -28,7 +28,9 @@ Option = Callable[[Callable[..., None]], Callable[..., None]]
 PATH = click.Path(path_type=Path)
 FILE: Option = click.argument("file", type=PATH)
 JSON: Option = click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
-EFFORT: Option = click.option("--effort", metavar="SECONDS", help="Processor time that the proof may take.")
+EFFORT: Option = click.option(
+    "--effort", metavar="SECONDS", help="Processor time that the proof may take; its verification comes on top."
+)
 WORKERS: Option = click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
 DASK: Option = click.option(
     "--dask", metavar="ADDRESS", help="A Dask scheduler, such as host:8786, instead of processes."

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from fractions import Fraction
 from pathlib import Path
 
 import click
@@ -24,9 +25,13 @@ from mpsolve.errors import InputError
 
 @command()
 @FILE
-@click.option("--omega", default="0", show_default=True, help="Frequency of the force, in rad/s for a file in SI.")
-@click.option("--from", "low", default="0", show_default=True, help="The lowest velocity, in m/s.")
-@click.option("--to", "high", default="2000", show_default=True, help="The highest velocity, in m/s.")
+@click.option(
+    "--omega", default="0", show_default=True, help='Frequency of the force: rad/s for a file in SI, or as "10 Hz".'
+)
+@click.option(
+    "--from", "low", default="0", show_default=True, help='The lowest velocity: m/s in SI, or as "100 km/h".'
+)
+@click.option("--to", "high", default="2000", show_default=True, help="The highest velocity.")
 @JSON
 @output("Draw the chart as this FILE.png, .svg or .pdf.")
 def critical(file: Path, omega: str, low: str, high: str, as_json: bool, output: Path | None) -> None:
@@ -38,31 +43,36 @@ def critical(file: Path, omega: str, low: str, high: str, as_json: bool, output:
     play no part. Exit status 0: all are proved. 1: one is undecided, or nothing could be written. 2: the input
     cannot be used.
     """
+    from mpsolve.numbers.decimals import proved_digits
+    from mpsolve.numbers.spoken import spoken
     from mpsolve.numbers.units import in_unit
+    from mpsolve.problem.case import Case
     from mpsolve.problem.inputfile import read_problem
     from mpsolve.waves.critical import critical_velocities
     from mpsolve.waves.speeds import SLOW_WAVES, slow_waves
 
     source = read_problem(file)
     checked_file(output, file, "the chart", (".png", ".svg", ".pdf"))
-    ends = [in_unit(end, "m/s", key, "velocity") for key, end in (("from", low), ("to", high))]
+    si = not isinstance(source.case, Case)
+    unit = "m/s" if si else ""
+    ends = [in_unit(end, unit, key, "velocity") for key, end in (("from", low), ("to", high))]
     if not 0 <= ends[0] < ends[1]:
         raise InputError("to", f"is {high}, with --from {low}: give velocities from 0 on, the lower one first")
     track = source.problem.track
-    found = critical_velocities(track, omega, over={"v": (ends[0], ends[1])})
+    found = critical_velocities(track, _number(omega, "rad/s" if si else "", "omega"), over={"v": (ends[0], ends[1])})
     if as_json:
         echo_json({"format": "mpsolve critical velocities", "version": 1} | found.to_dict())
     else:
         for one in found:
             name = f" ({one.name})" if one.name else ""
-            where = "" if one.wavenumber is None else f", wavenumber {float(one.wavenumber.mid()):.8g} rad/m"
-            kmh = 3.6 * float(one.value.mid())
-            click.echo(f"v = {one.value.str(15)} m/s = {kmh:.6g} km/h: {one.kind.value}{name}{where}")
+            wave = "" if one.wavenumber is None else f", wavenumber {float(one.wavenumber.mid()):.8g}{' rad/m' * si}"
+            value = f"{proved_digits(one.value, 15)} {unit}{f' ({spoken(one.value, unit)})' if si else ''}".strip()
+            click.echo(f"v = {value}: {one.kind.value}{name}{wave}")
         if not found.omega and slow_waves(track):
             click.echo(SLOW_WAVES)
         for sentence in found.always:
             click.echo(sentence)
-        click.echo(found.sentence)
+        click.echo(found.said(unit))
     if output is not None:
         from mpsolve.report.figures_critical import save_critical
 
@@ -117,10 +127,10 @@ _MOST = 1_000_000
 
 
 def _places(text: str, si: bool) -> tuple[float, ...]:
-    return tuple(_real(word, "m" if si else "", "--xi") for word in text.split(","))
+    return tuple(float(_number(word, "m" if si else "", "--xi")) for word in text.split(","))
 
 
-def _real(word: str, unit: str, key: str) -> float:
+def _number(word: str, unit: str, key: str) -> Fraction | float:
     """A number that may have a unit of its own; cycles are what floats can turn into rad."""
     from math import pi
 
@@ -129,7 +139,7 @@ def _real(word: str, unit: str, key: str) -> float:
     number, given = split(word)
     if given == "Hz" and unit == "rad/s":
         return 2 * pi * float(in_unit(number, unit, key))
-    return float(in_unit(word.strip(), unit, key))
+    return in_unit(word.strip(), unit, key)
 
 
 def _require_units_of_both(first: str, last: str, text: str) -> None:
@@ -147,7 +157,7 @@ def _frequencies(text: str, si: bool) -> tuple[float, ...]:
     first, last, count = [*text.split(","), "", ""][:3]
     if text.count(",") != 2 or not (count.strip().isdecimal() and 1 <= int(count) <= _MOST):
         raise InputError("--omega", f"is {text!r}: give FIRST,LAST,COUNT, with a whole COUNT from 1 to {_MOST}")
-    low, high = (_real(end, "rad/s" if si else "", "--omega") for end in (first, last))
+    low, high = (float(_number(end, "rad/s" if si else "", "--omega")) for end in (first, last))
     _require_units_of_both(first, last, text)
     return tuple(np.linspace(low, high, int(count)).tolist())
 
@@ -169,11 +179,12 @@ def train(file: Path, spacing: str | None, effort: str, as_json: bool) -> None:
     from mpsolve.endless.row import row_in
     from mpsolve.problem.case import Case
     from mpsolve.problem.inputfile import read_problem
+    from mpsolve.proof.stopping import listening
     from mpsolve.report.trains import train_data, train_text
 
     given = read_problem(file)
     row, count = row_in(given.problem if given.case is None else given.case, spacing)
-    with progress() as tell:
+    with progress() as tell, listening():
         budget, several = effort_of(effort), given.problem.pencil.contacts > 1
         found = infinite_train(row.problem, row.spacing, effort=budget, progress=tell)
         ratios = amplification(given.problem, effort=budget, progress=tell) if several else None

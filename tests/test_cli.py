@@ -140,3 +140,27 @@ def test_each_help_ends_with_an_example_that_can_be_typed(name: str) -> None:
     if isinstance(command, click.Group):
         command, rest = command.commands[rest[0]], rest[1:]
     command.make_context(name, rest)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="a shell that closes streams is asked for")
+@pytest.mark.parametrize(
+    ("words", "closed", "said"),
+    [
+        ("certify -", "<&-", "mpsolve: standard input: holds no problem"),
+        ("verify -", "<&-", ""),
+        ("models string", ">&-", ""),
+        ("certify nope.toml", "2>&-", ""),
+        ("certify {root}/examples/rail_60e1.toml", ">&- 2>&-", ""),
+    ],
+)
+def test_a_closed_stream_is_no_traceback(tmp_path: Path, words: str, closed: str, said: str) -> None:
+    """Whoever starts a program may close its streams: Python then has None in their places."""
+    root = Path(mpsolve.__file__).parents[1]
+    command = f"{shlex.quote(sys.executable)} -m mpsolve {words.format(root=root)} {closed}"
+    environment = os.environ | {"PYTHONPATH": str(root)}
+    done = subprocess.run(
+        ["sh", "-c", command], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
+    )
+    assert "Traceback" not in done.stderr
+    assert done.stderr.startswith(said)
+    assert done.returncode == {"models": 0, "verify": 1}.get(words.split()[0], 0 if "rail" in words else 2)

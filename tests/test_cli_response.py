@@ -179,3 +179,27 @@ def test_without_a_file_to_write_it_is_told_alone(command: str, tmp_path: Path) 
     assert sorted(tmp_path.iterdir()) == before
     stated = run(command, given, "--points", 21, "--to", "2 s")
     assert stated.output == told.output
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (("--roughness", "20,0.8"), "--roughness: amplitude is 20 m beside a wavelength of 0.8 m: write '20 µm'"),
+        (("--roughness", "1 µm,0"), "--roughness: wavelength is 0, not above 0"),
+        (("--roughness", "20"), "--roughness: is '20': give two lengths"),
+        (("--out-of-round", "0.1 mm,0.46 m,3,9"), "--out-of-round: contact is 9: give a whole number from 1 to 2"),
+        (("--xi", "0 km,1 kg"), "--xi: is '1 kg', whose unit is kg, but the place is in m"),
+    ],
+)
+def test_lengths_are_told_by_their_options(options: tuple[str, str], said: str) -> None:
+    """A wave of 20 m on the rail went without a word; places had no units."""
+    result = CliRunner().invoke(cli, ["response", "examples/two_layer_bogie.toml", "--to", "0.1", *options])
+    assert result.exit_code == 2
+    assert result.stderr.startswith(f"mpsolve: {said}")
+
+
+def test_places_may_have_units() -> None:
+    outputs = {CliRunner().invoke(cli, ["response", "examples/two_layer_bogie.toml", "--to", "0.1", "--xi", x]).output
+               for x in ("0,1.5", "0 mm,1500 mm")}  # fmt: skip
+    assert len(outputs) == 1
+    assert "rail: largest deflection" in outputs.pop()

@@ -127,3 +127,17 @@ def test_eight_coaches_are_answered_within_their_time() -> None:
     assert "no motion grows" in done.output or "undecided" in done.output
     assert "train of 8: stable" in done.output
     assert "back: " in done.output
+
+
+def test_units_of_critical_velocities() -> None:
+    """A dimensionless file was answered in m/s and km/h; a frequency in Hz was refused, balls were printed raw."""
+    paper = run("critical", "examples/dimensionless.toml", "--to", "5").output
+    assert paper.startswith("v = 1: two waves")
+    assert "m/s" not in paper
+    assert "rad" not in paper
+    assert run("critical", "examples/dimensionless.toml", "--to", "5 m/s").exit_code == 2
+    in_hertz, in_radians = (run("critical", BOGIE, "--omega", x) for x in ("10 Hz", f"{20 * pi} rad/s"))
+    assert (in_hertz.exit_code, in_hertz.output) == (0, in_radians.output)
+    assert "+/-" not in in_hertz.output
+    assert "km/h)" in in_hertz.output
+    assert "1000 ≤ v ≤ 1300 m/s" in run("critical", BOGIE, "--from", "3600 km/h", "--to", "1300").output

@@ -114,7 +114,7 @@ def test_compare_holds_the_other_ways_against_it(tmp_path: Path) -> None:
         ([str(BOGIE), "--to", "1 s", "--animate", "film.gif"], "film.gif"),
         ([str(BOGIE), "--to", "1 s", "--roughness", "20 µm"], "--roughness: is '20 µm': give two lengths"),
         ([str(BOGIE), "--to", "1 s", "--roughness", "20 µm, 3 kg"], "--roughness"),
-        ([str(BOGIE), "--to", "1 s", "--out-of-round", "1 mm, 0.5 m, 0"], "order: is 0"),
+        ([str(BOGIE), "--to", "1 s", "--out-of-round", "1 mm, 0.5 m, 0"], "--out-of-round: order is 0"),
         ([str(BOGIE), "--to", "1 s", "--out-of-round", "1 mm, 1 m", "--roughness", "1 mm, 1 m"], "one of them"),
         (["examples/dimensionless.toml", "--roughness", "1 mm, 1 m"], "--roughness: is for a motion in s"),
     ],

@@ -14,6 +14,19 @@ from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.problem.reduced import Guide
 
+APART = (
+    "decaying and growing p-roots far below the real axis cannot be told apart, as where v is far beyond all waves",
+    "check v and its unit",
+)
+"""Why there is no start, and what helps."""
+
+
+class NoStartError(PrecisionError):
+    """No depth serves."""
+
+    def __init__(self) -> None:
+        super().__init__(": ".join(APART))
+
 
 @frozen
 class Start:
@@ -25,12 +38,12 @@ class Start:
 
 
 def start(guide: Guide, depths: tuple[float, ...] = (1.0, 0.5, 2.0, 4.0)) -> Start:
-    """The number of decaying roots; PrecisionError where no depth serves."""
+    """The number of decaying roots; NoStartError where no depth serves."""
     for depth in depths:
         found = _tell_apart(guide, depth)
         if found is not None:
             return found
-    raise PrecisionError("the p-roots far below the real axis cannot be told apart into decaying and growing ones")
+    raise NoStartError()
 
 
 def _tell_apart(guide: Guide, depth: float) -> Start | None:

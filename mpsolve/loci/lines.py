@@ -25,6 +25,7 @@ from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
+from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.answer import Interval, Spent
 from mpsolve.ranges.scope import OpenError, checked_over, from_above_rest, one_path, scope_of
 
@@ -33,6 +34,7 @@ _BOXES = 1_000_000  # that an answer may take unless effort says otherwise
 _MOST_POINTS = 100_000
 
 
+@stoppable
 def frequency_lines(
     problem: Given,
     *,

@@ -50,7 +50,9 @@ _PREFIXES = {"G": 9, "M": 6, "k": 3, "d": -1, "c": -2, "m": -3, "µ": -6, "u": -
 _CYCLES = {"Hz": "2π rad/s", "kHz": "2000π rad/s", "rpm": "2π/60 rad/s", "°": "π/180 rad", "deg": "π/180 rad"}
 _COMMON = ("km/h", "kN/mm", "kN/m", "MN/m", "MN/m²", "kN m²", "N s/m²", "kN s/m", "kg/m", "mm", "km", "kN", "t", "kg")
 _WRITTEN = {"kmh": "km/h", "kmph": "km/h", "kmhr": "km/h", "mps": "m/s", "kgm": "kg/m"}
-_WRITTEN |= dict.fromkeys(("ton", "tons", "tonne", "tonnes"), "t") | dict.fromkeys(("sec", "secs"), "s")
+_WRITTEN |= (
+    dict.fromkeys(("ton", "tons", "tonne", "tonnes"), "t") | dict.fromkeys(("sec", "secs"), "s") | {"msec": "ms"}
+)
 _WRITTEN |= dict.fromkeys(("meter", "meters", "metre", "metres"), "m")
 """What people write, in lower case."""
 _MOST = 8  # of an exponent

@@ -25,6 +25,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.problem.warned import titled
 from mpsolve.report.remedies import on_command_line
 from mpsolve.report.spectrum_data import spectrum_data
+from mpsolve.report.spectrum_text import alike
 from mpsolve.report.spectrum_words import ASSUMED, proved, verdict, verified_briefly
 from mpsolve.report.template import rendered
 from mpsolve.report.vibration import once
@@ -135,11 +136,8 @@ def tables_of(problem: Problem) -> list[tuple[str, list[tuple[str, str, str]]]]:
     first = [("v", beside(problem.v, "m/s"), "velocity")]
     track = _rows(problem.track) if isinstance(problem.track, Track) else [("matrix", "", "equations of one's own")]
     out = [("Track", first + track)]
-    seen: dict[Any, list[str]] = {}
-    for placed in problem.vehicles:
-        seen.setdefault(placed.vehicle, []).append(rounded(placed.position))
-    for vehicle, places in seen.items():
-        at = ", ".join(places[:6]) + (" …" if len(places) > 6 else "")
+    for vehicle, places in alike(problem):
+        at = ", ".join(map(rounded, places[:6])) + (" …" if len(places) > 6 else "")
         times = f"{len(places)} × " if len(places) > 1 else ""
         rows = [("position", f"{at} m", "of the middle, ahead is positive"), *_rows(vehicle)]
         out.append((f"Vehicle: {times}{vehicle.name}", rows))

@@ -29,6 +29,7 @@ from mpsolve.proof.effort import Effort
 from mpsolve.tracks.waveguide import Polynomial, scaled
 
 _RATIO = 1.3  # of one X to the next that is tried
+_MOST = 2.0**127  # that a short float holds
 _TRIES = 6  # of proofs
 _SHARES = (1.0, 0.2)  # of a planned κ that are tried
 _TRIMMED = 1 / 16  # of a block that is too short for halves, at each end
@@ -116,7 +117,9 @@ def _plan(
     best: tuple[float, Tail] | None = None
     for search in searches:
         # less than what is sampled, and less than what is proved, so that a checker need not come as near
-        blocks = tuple((z1, z2, float(np.float32(0.7 * kappa))) for z1, z2, kappa in search.blocks(X, sieve))
+        blocks = tuple(
+            (z1, z2, float(np.float32(min(0.7 * kappa, _MOST)))) for z1, z2, kappa in search.blocks(X, sieve)
+        )
         tail = Tail(X, search.gamma, blocks, search.e, _OMEGA, bound, alpha)
         if blocks and np.isfinite(bound) and outweighs(tail, guide.v, gap):
             size = sum(kappa * (z2 - z1) for z1, z2, kappa in blocks) * X ** float(search.gamma - search.e)

@@ -51,8 +51,11 @@ def _heard_by(handler: object) -> bool:
 
 
 @contextmanager
-def _listening() -> Iterator[None]:
-    """Only in the main thread, and where Ctrl-C means what Python makes of it."""
+def listening() -> Iterator[None]:
+    """For work of several parts: the first Ctrl-C ends each of them with what it has.
+
+    Only in the main thread, and where Ctrl-C means what Python makes of it.
+    """
     if _Asked.listening or not _heard_by(signal.default_int_handler):
         yield
         return
@@ -83,8 +86,8 @@ def stoppable(verb: Callable[P, T]) -> Callable[P, T]:
     """The same function, which the first Ctrl-C ends with what it has, if its effort is asked on the way."""
 
     @wraps(verb)
-    def listening(*args: P.args, **kwargs: P.kwargs) -> T:
-        with _listening():
+    def heard(*args: P.args, **kwargs: P.kwargs) -> T:
+        with listening():
             return verb(*args, **kwargs)
 
-    return listening
+    return heard

@@ -19,6 +19,7 @@ from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
+from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges import undamped
 from mpsolve.ranges.answer import Answer, Interval, Spent, Valued
 from mpsolve.ranges.lowest import NEXT, Question
@@ -63,6 +64,7 @@ class Worst(Valued, Answer):
         return [{name: float(ball.mid()) for name, ball in near.items()} | {"where": self.where}]
 
 
+@stoppable
 def worst(
     problem: Given,
     *,

@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from typing import Any
 
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import decimal, proved_digits, working_bits
@@ -84,9 +85,17 @@ def problem_rows(problem: Problem) -> Iterator[tuple[str, str, str]]:
     else:
         size = len(track.matrix)
         yield "track", f"{size} × {size} matrix of one's own", ""
+    for vehicle, places in alike(problem):
+        yield "vehicle", vehicle.name, f"at x = {', '.join(map(_exact, places))} m"
+        yield from _parameters(vehicle)
+
+
+def alike(problem: Problem) -> list[tuple[Any, list[Fraction]]]:
+    """Each kind of vehicle, and where the middles of those of it are."""
+    seen: dict[Any, list[Fraction]] = {}
     for placed in problem.vehicles:
-        yield "vehicle", placed.vehicle.name, f"at x = {_exact(placed.position)} m"
-        yield from _parameters(placed.vehicle)
+        seen.setdefault(placed.vehicle, []).append(placed.position)
+    return list(seen.items())
 
 
 def _parameters(model: Model) -> Iterator[tuple[str, str, str]]:

@@ -32,7 +32,7 @@ def require_premises(reduced: Reduced, region: Region) -> None:
 def _require_track(reduced: Reduced) -> None:
     rest = at_rest(reduced.problem.track)
     if rest.status is Status.UNSTABLE:
-        raise InputError("track", f"cannot be used: {rest.sentence}: lower the compression, or stiffen the track")
+        raise InputError("track", f"cannot be used: {rest.sentence}: lower the axial force N, or stiffen the track")
     if rest.status is Status.UNDAMPED:
         advice = damping_wanted(reduced.problem.track)
         raise InputError("track", f"has vibrations without damping, which is not decided here: {advice}")

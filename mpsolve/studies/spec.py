@@ -20,7 +20,7 @@ from mpsolve.problem import specs
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.inputfile import problem_of
 from mpsolve.problem.problem import Problem
-from mpsolve.problem.toml import Written, parsed, text_of, title_of
+from mpsolve.problem.toml import Written, parsed, refuse_other_kind, text_of, title_of
 from mpsolve.studies.axes import counted, read_axes, total_of
 from mpsolve.studies.design import Axis, Listed, Parts, Span, Value, draws
 from mpsolve.studies.plan import BOXES, read_plan, region_text
@@ -180,6 +180,8 @@ def read_spec(spec: Mapping[str, Any] | str | os.PathLike[str]) -> Spec:
     Raises InputError under the key at fault.
     """
     content = specs.load(spec, _TOP)
+    if isinstance(spec, (str, os.PathLike)) and not {"study", "parameters"} & content.keys():
+        refuse_other_kind(content, {}, Path(spec))
     for name in ("study", "parameters"):
         if name not in content:
             raise InputError(name, f"is missing: add [{name}]")

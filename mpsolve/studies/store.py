@@ -31,7 +31,7 @@ _VERSION = 2  # of the tables
 _PATIENCE = 60.0  # seconds to wait for another process that writes
 _LOG = 64  # pages in NAME-wal after which SQLite moves them: some twenty certified entries, one block of float64
 _ADVICE = {
-    "SQLITE_FULL": "the disk is full: free some space and run the study again; every finished block is safe",
+    "SQLITE_FULL": "the disk is full: free some space and give the same command again; every finished block is safe",
     "SQLITE_IOERR": "the disk refuses ({error}): see whether it is full or failing; every finished block is safe",
     "SQLITE_BUSY": "another process has kept it locked for a minute: run again when that has ended",
     "SQLITE_READONLY": "it cannot be written: give a path where you may write, and copy the file there",

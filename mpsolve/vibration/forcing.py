@@ -157,17 +157,18 @@ def _even(A: Complexes) -> Any:
 def rail_roughness(problem: Problem, amplitude: Any, wavelength: Any, phase: float = 0.0) -> tuple[Irregularity, ...]:
     """A wave on the rail, amplitude · sin(2πx/wavelength + phase) upwards, as every contact runs over it.
 
-    Contacts meet it one after the other: that at ξ sees 2π(vt + ξ)/wavelength + phase. amplitude, wavelength in m.
+    Contacts meet it one after the other: that at ξ sees 2π(vt + ξ)/wavelength + phase.
+    amplitude, wavelength: in m, or texts with units.
 
     >>> from mpsolve import tracks, vehicles
     >>> pair = Problem(tracks.String(T=1, m=1, k=1, c=1), vehicles.train(vehicles.Mass(1), 2, "0.5"), v=3)
     >>> [round(one.phase, 3) for one in rail_roughness(pair, "1e-5", 2)]
     [0.0, 1.571]
     """
-    size, length = rational(amplitude, "amplitude"), _positive(wavelength, "wavelength")
+    size, length = _small(amplitude, wavelength, "wavelength")
     turn = 2 * pi / length
     omega = turn * float(problem.v)
-    return tuple(Irregularity(float(size), omega, turn * float(x) + phase) for x in problem.pencil.places)
+    return tuple(Irregularity(size, omega, turn * float(x) + phase) for x in problem.pencil.places)
 
 
 def out_of_round(
@@ -175,9 +176,10 @@ def out_of_round(
 ) -> tuple[Irregularity, ...]:
     """Wheels of this radius whose tread swells and shrinks `order` times a turn, amplitude · sin(order · v t/radius).
 
-    contact: the only one whose wheel is so, counted from 1 at the rear; without it all are. amplitude, radius in m.
+    contact: the only one whose wheel is so, counted from 1 at the rear; without it all are.
+    amplitude, radius: in m, or texts with units.
     """
-    size, length = float(rational(amplitude, "amplitude")), _positive(radius, "radius")
+    size, length = _small(amplitude, radius, "radius")
     count = problem.pencil.contacts
     if isinstance(order, bool) or not isinstance(order, int) or order < 1:
         raise InputError("order", f"is {order!r}: give a whole number from 1 on")
@@ -187,8 +189,14 @@ def out_of_round(
     return tuple(Irregularity(size if contact in (None, j) else 0.0, omega) for j in range(1, count + 1))
 
 
-def _positive(value: Any, key: str) -> float:
-    number = float(rational(value, key))
+def _small(amplitude: Any, length: Any, key: str) -> tuple[float, float]:
+    """Both in m; InputError where the length is none, or the amplitude is no small part of it."""
+    size = float(rational(amplitude, "amplitude", "m", "amplitude"))
+    number = float(rational(length, key, "m", key))
     if number <= 0:
         raise InputError(key, f"is {number:g}, not above 0: give a length in m")
-    return number
+    if abs(size) > number:
+        raise InputError(
+            "amplitude", f"is {size:g} m beside a {key} of {number:g} m: write '{size:g} µm', if that is meant"
+        )
+    return size, number

@@ -160,4 +160,4 @@ def checked_places(problem: Problem, places: Any) -> tuple[Fraction, ...]:
     if places is None:
         return problem.pencil.places
     listed = [places] if isinstance(places, (str, int, float, Fraction)) else list(places)
-    return tuple(rational(x.item() if isinstance(x, np.generic) else x, "places") for x in listed)
+    return tuple(rational(x.item() if isinstance(x, np.generic) else x, "places", "m", "place") for x in listed)

@@ -75,12 +75,16 @@ class CriticalVelocities(Result):
     @property
     def sentence(self) -> str:
         """What is proved about the whole range."""
-        whole = f"{float(self.lower):g} ≤ v ≤ {float(self.upper):g}"
+        return self.said()
+
+    def said(self, unit: str = "") -> str:
+        """The same with a unit of velocities."""
+        whole = f"{float(self.lower):g} ≤ v ≤ {float(self.upper):g} {unit}".strip()
         rest = "no two real wavenumbers of the undamped track merge, and for v > 0 none runs to infinity"
         rest += ", but for what holds always" if self.always else ""
         if not self.undecided:
             return f"proved, without certificate: the list is complete for {whole}; at every other v {rest}"
-        where = ", ".join(proved_digits(ball, 8) for ball in self.undecided)
+        where = ", ".join(f"{proved_digits(ball, 8)} {unit}".strip() for ball in self.undecided)
         return f"undecided at v = {where}; at every other v in {whole} that is not listed {rest}"
 
     def records(self) -> Iterator[Mapping[str, Any]]:

@@ -9,12 +9,14 @@ import pytest
 from receptance_truth import Receptance
 from track_models import DAMPED
 
+from mpsolve import certify
 from mpsolve.characteristic import start as module
 from mpsolve.characteristic.discs import Splittings, split
-from mpsolve.characteristic.start import factors, start
+from mpsolve.characteristic.start import APART, NoStartError, factors, start
 from mpsolve.characteristic.table import Table
 from mpsolve.errors import PrecisionError
-from mpsolve.problem.reduced import Guide, track_guide
+from mpsolve.presets.written import problem_of
+from mpsolve.problem.reduced import Guide, reduce_problem, track_guide
 
 
 @pytest.mark.parametrize("name", DAMPED)
@@ -57,3 +59,13 @@ def test_real_wavenumbers_are_no_start() -> None:
     guide = Guide(0, 0, D, {(0, 0): Fraction(1)}, D, {(0, 0): Fraction(1)}, Fraction(0), Fraction(1))
     with pytest.raises(PrecisionError, match="told apart"):
         start(guide)
+
+
+def test_a_velocity_beyond_all_waves_is_told_with_a_remedy_that_helps() -> None:
+    """3·10⁸ m/s on a ballasted track: a rectangle was advised, which needs a start as well."""
+    problem = problem_of("ballasted", "manchester")[0].changed("v", "3e8")
+    found = certify(problem, region="unstable", digits=15, check=False)
+    assert found.reason is not None
+    assert str(found.reason) == ": ".join(APART)
+    with pytest.raises(NoStartError, match="check v and its unit"):
+        start(reduce_problem(problem).guide)

@@ -16,6 +16,7 @@ from oracle_general.package import as_problem
 from mpsolve.errors import EffortError
 from mpsolve.passivity.absorption import Absorption
 from mpsolve.passivity.tail import Tail, _envelope, block_holds, outweighs, prove_tail
+from mpsolve.presets.written import problem_of
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import reduce_problem
 from mpsolve.proof.effort import Effort
@@ -171,3 +172,10 @@ def test_the_search_ends_with_its_effort() -> None:
     with pytest.raises(EffortError):
         prove_tail(reduced.guide, reduced.smallest_gap, Effort(seconds=0.5))
     assert process_time() - started < 8
+
+
+def test_absurd_velocities_are_planned_without_a_warning() -> None:
+    """At 3·10⁹ m/s short floats overflowed, which users saw as a line of the source."""
+    reduced = reduce_problem(problem_of("ballasted", "wheelset")[0].changed("v", "3e9"))
+    found = prove_tail(reduced.guide, reduced.smallest_gap)
+    assert found is None or all(np.isfinite(kappa) for *_, kappa in found.blocks)

@@ -13,11 +13,12 @@ from typing import Any
 
 import pytest
 
-from mpsolve import Problem, certify, onset, tracks, vehicles
+from mpsolve import Problem, certify, crossings, frequency_lines, onset, tracks, vehicles, worst
 from mpsolve.errors import EffortError
 from mpsolve.outcome import Status
+from mpsolve.proof import stopping
 from mpsolve.proof.effort import Effort
-from mpsolve.proof.stopping import stoppable
+from mpsolve.proof.stopping import listening, stoppable
 
 BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")
 
@@ -56,6 +57,37 @@ def test_a_long_proof_comes_back_with_what_it_has(work: Callable[[], Any]) -> No
     assert found.reason.code == "interrupted"
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
     Effort(evaluations=1).spend(1)  # other work goes on
+
+
+@pytest.mark.parametrize("ask", [worst, frequency_lines, onset, crossings], ids=lambda one: one.__name__)
+def test_every_proof_over_a_range_hears_it(ask: Callable[..., Any]) -> None:
+    """`lines` and `worst` ended with nothing but "interrupted"."""
+    found = ask(row(2, "0.5"), over={"v": ("0.3", "0.6")}, check=False,
+                progress=lambda *_: signal.raise_signal(signal.SIGINT) if armed() else None)  # fmt: skip
+    assert found.status is Status.UNDECIDED
+    assert found.reason is not None
+    assert found.reason.code == "interrupted"
+
+
+def armed() -> bool:
+    """Whether the next Ctrl-C is only listened for."""
+    return signal.getsignal(signal.SIGINT) is stopping._first
+
+
+def test_work_of_several_parts_hears_it_in_each_of_them() -> None:
+    """`onset` over two ranges went on with the second where Ctrl-C came while the first was being verified."""
+
+    @stoppable
+    def complete() -> str:
+        signal.raise_signal(signal.SIGINT)
+        return "proved"
+
+    with listening():
+        assert complete() == "proved"
+        second = onset(row(2, "0.5"), over={"v": ("0.3", "0.6")}, check=False)
+    assert second.reason is not None
+    assert second.reason.code == "interrupted"
+    Effort().spend(1)
 
 
 def test_what_is_proved_of_a_long_train_is_kept() -> None:

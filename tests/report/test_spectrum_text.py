@@ -132,3 +132,14 @@ def test_a_long_root_in_two() -> None:
     with precision(400):
         motion = SimpleNamespace(root=SimpleNamespace(q=acb(arb(1) / 3, arb(1) / 7)))
         assert [label for label, _ in root_rows(2, motion, 60)] == ["Re q2 =", "Im q2 ="]
+
+
+def test_equal_vehicles_stand_there_once_with_their_places() -> None:
+    """Eight coaches printed their fifteen parameters eight times."""
+    track, one, other = SPRUNG.track, Mass(900), Mass(1000)
+    rows = list(problem_rows(Problem(track, [one.at(0), other.at(4), one.at("2.5")], v=60)))
+    assert [row for row in rows if row[0] == "vehicle"] == [
+        ("vehicle", "mass", "at x = 0, 2.5 m"),
+        ("vehicle", "mass", "at x = 4 m"),
+    ]
+    assert [row[1] for row in rows if row[0] == "  M"] == ["900 kg", "1000 kg (1 t)"]

@@ -200,3 +200,9 @@ def test_tables_are_plain_and_make_the_problem_of_the_file() -> None:
     assert named["track"]["EI"] == "6380430"
     assert "title" not in named
     assert problem_of(named, Path("x")).given == read_problem(EXAMPLE).given
+
+
+def test_a_file_that_is_a_problem_is_named_as_such() -> None:
+    """`mpsolve study mine.toml` said that [study] is missing, and not what the file is for."""
+    with pytest.raises(InputError, match=r"is a problem, as its \[track\] shows: use mpsolve certify"):
+        read_spec("examples/two_layer_bogie.toml")

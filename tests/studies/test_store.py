@@ -289,7 +289,7 @@ def test_a_full_disk(small_disk: Path, wide: dict[str, Any], block: Make) -> Non
     path, spec, ballast = small_disk / "study.sqlite", read_spec(wide), small_disk / "ballast"
     ballast.write_bytes(bytes(400_000))
     stored, said = fill(path, spec, block)
-    assert "the disk is full: free some space and run the study again; every finished block is safe" in said
+    assert "the disk is full: free some space and give the same command again; every finished block is safe" in said
     assert stored > 5
     assert numbers_only_read(path) == list(range(stored))
     ballast.unlink()
