@@ -24,10 +24,10 @@ from mpsolve.certificate.certify import certify
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.balls import acb, arb, precision, rational_ball
 from mpsolve.numbers.exact import Exact
-from mpsolve.numbers.model import rational, whole
+from mpsolve.numbers.model import whole
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
-from mpsolve.problem.problem import Problem
+from mpsolve.problem.problem import Problem, require_problem
 from mpsolve.problem.reduced import reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
@@ -42,7 +42,7 @@ from mpsolve.vibration.image import Image
 from mpsolve.vibration.motion import fields_of
 from mpsolve.vibration.path import above_growth
 from mpsolve.vibration.poles import certified
-from mpsolve.vibration.vibrate import checked_places
+from mpsolve.vibration.vibrate import checked_places, times_above_0
 
 MOST = 100
 _GUARD, _SPARE, _MOST_LOST = 20, 3, 400
@@ -97,13 +97,10 @@ def response_balls(
     where a step of the proof fails the answer is undecided, with the reason.
     """
     digits = whole(digits, "digits", 1, MOST)
-    if not isinstance(problem, Problem):
-        raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem")
+    require_problem(problem)
     if spectrum is not None and spectrum.problem != problem:
         raise InputError("spectrum", "is that of another problem: give certify(problem)")
-    exact = tuple(rational(t, "times") for t in times)
-    if not exact or min(exact) <= 0:
-        raise InputError("times", "hold none, or one that is not above 0: give times above 0")
+    exact = times_above_0(times)
     work = begun(effort)
     image = Image(problem, checked_places(problem, places))
     outer_forces(image.pencil, loads)
