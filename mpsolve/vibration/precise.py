@@ -22,8 +22,7 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
 from mpsolve.spectrum.spectrum import Spectrum
-from mpsolve.vehicles.loads import outer_forces
-from mpsolve.vibration.balls.equations import exact_terms
+from mpsolve.vehicles.loads import exact_forces, outer_forces
 from mpsolve.vibration.balls.image import PreciseImage, number
 from mpsolve.vibration.engine import Engine
 from mpsolve.vibration.forcing import tones
@@ -65,7 +64,7 @@ def response_mp(
     image = Image(problem, checked_places(problem, places))
     outer = outer_forces(image.pencil, loads)
     mp = context(digits + _GUARD)
-    precise = PreciseImage(mp, image, exact_terms(image.pencil, loads), digits + _GUARD)
+    precise = PreciseImage(mp, image, exact_forces(image.pencil, loads), digits + _GUARD)
     try:
         found = _certified(problem, digits + _GUARD, effort, said) if spectrum is None else spectrum
         poles = certified(image, found)

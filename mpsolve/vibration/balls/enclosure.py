@@ -34,8 +34,7 @@ from mpsolve.proof.effort import Effort, begun
 from mpsolve.spectrum.regions import Below, HalfPlane, Sheet
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.spectrum.unfelt import unfelt_frequencies
-from mpsolve.vehicles.loads import outer_forces
-from mpsolve.vibration.balls.equations import Term, exact_terms
+from mpsolve.vehicles.loads import Term, exact_forces
 from mpsolve.vibration.balls.image import BallImage
 from mpsolve.vibration.balls.work import Work
 from mpsolve.vibration.image import Image
@@ -103,10 +102,10 @@ def response_balls(
     exact = times_above_0(times)
     work = begun(effort)
     image = Image(problem, checked_places(problem, places))
-    outer_forces(image.pencil, loads)
+    terms = exact_forces(image.pencil, loads)
     found = partial(certify, problem, check=False) if spectrum is None else spectrum
     try:
-        asked = Asked(image, exact_terms(image.pencil, loads), [Exact(t) for t in exact], digits)
+        asked = Asked(image, terms, [Exact(t) for t in exact], digits)
         parts = proved_parts(asked, found, work, progress or silent)
     except (EffortError, PrecisionError) as error:
         infinite = np.full((image.channels, len(exact)), arb(0, float("inf")), object)

@@ -16,7 +16,8 @@ from typing import Any
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, arb_mat, precision
 from mpsolve.numbers.multiprecision import middle
-from mpsolve.vibration.balls.equations import Equations, Term
+from mpsolve.vehicles.loads import Term
+from mpsolve.vibration.balls.equations import Equations
 from mpsolve.vibration.balls.moving import Moving, moving_roots, sharp_roots
 from mpsolve.vibration.balls.solved import Disc, Waves, solved
 from mpsolve.vibration.image import Image
