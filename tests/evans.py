@@ -6,12 +6,13 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
+from multiprecision import Multiprecision
+
 from mpsolve.characteristic.bordering import Bordering
 from mpsolve.characteristic.receptance import at_matrix, by_companions, companion
 from mpsolve.characteristic.splitting import Splitting, monic
 from mpsolve.characteristic.symbol import Symbols, product
 from mpsolve.numbers.arithmetic import Arithmetic
-from mpsolve.numbers.multiprecision import Multiprecision
 from mpsolve.problem.reduced import Reduced
 
 

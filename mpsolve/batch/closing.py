@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.batch.groups import Group
-from mpsolve.batch.kernel import chunk_of, receptances
+from mpsolve.batch.kernel import chunks, receptances
 from mpsolve.numbers.arrays import Complexes, Integers, Reals
 
 _SMALL = 1e-9  # of the largest entry of its row: a pivot below it is not told from 0
@@ -15,11 +15,9 @@ _SMALL = 1e-9  # of the largest entry of its row: a pivot below it is not told f
 
 def closing_argument(group: Group, rho: Reals) -> Reals:
     """Σ Arg(pivots of M) at σ̂ = iρ̂, M = [[S/σ, −B], [Bᵀ, σ(G + h)]]; nan where a pivot may be 0."""
-    out = np.empty(len(group))
-    step = chunk_of(group)
-    for k in range(0, len(group), step):
-        rows = np.arange(k, min(k + step, len(group)))
-        out[rows] = _pivots(accretive(group, rows, 1j * rho[rows]))
+    out, rows = np.empty(len(group)), np.arange(len(group))
+    for part in chunks(group, len(group)):
+        out[part] = _pivots(accretive(group, rows[part], 1j * rho[part]))
     return out
 
 

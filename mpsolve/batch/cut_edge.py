@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.batch.halves import Halves, largest_real_root
-from mpsolve.batch.kernel import at_roots, chunk_of
+from mpsolve.batch.kernel import at_roots, chunks
 from mpsolve.batch.matrix import log_det, matrices
 from mpsolve.numbers.arrays import Complexes, Integers, Reals
 
@@ -42,9 +42,7 @@ def _split(v: Reals, z: Any, centre: Reals, delta2: Reals) -> tuple[Any, Any]:
 def edge_logs(halves: Halves, rows: Integers, z: Any) -> Complexes:
     """log R·Δ for the lower half and the upper one, mirrored; shape (2, points)."""
     out = np.empty((2, len(rows)), complex)
-    step = chunk_of(halves.group)
-    for k in range(0, len(rows), step):
-        part = slice(k, k + step)
+    for part in chunks(halves.group, len(rows)):
         log_R, both = _parts(halves, rows[part], z[part])
         for side, A in enumerate(both):
             out[side, part] = log_R + log_det(A)

@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from math import comb
 from types import SimpleNamespace
 from typing import Any
 
@@ -19,6 +18,7 @@ from mpsolve.batch.waveguides import expanded
 from mpsolve.characteristic.bordering import Bordering
 from mpsolve.characteristic.follow import eigenvalues
 from mpsolve.numbers.arrays import Integers, Reals, Truths
+from mpsolve.tracks.waveguide import carried
 
 _APART = 1e-7
 _LOST = 1e-11
@@ -172,14 +172,13 @@ def _units(D: dict[Any, Any]) -> tuple[Reals, Reals]:
 
 def _moving(a: dict[Any, Any], v: Reals) -> tuple[Reals, Reals]:
     """Coefficients of P^i σ^j with s = σ − vP, and the sums of the moduli that they are made of."""
-    top_i, top_j = max(i + j for i, j in a), max(j for _, j in a)
-    out, sizes = (np.zeros((len(v), top_i + 1, top_j + 1)) for _ in range(2))
-    for (i, j), c in a.items():
-        for k in range(j + 1):
-            term = c * comb(j, k) * (-v) ** k
-            out[:, i + k, j - k] += term
-            sizes[:, i + k, j - k] += np.abs(term)
-    return out, sizes
+    tables = []
+    for part in (carried(a, v), carried({key: np.abs(c) for key, c in a.items()}, -np.abs(v))):
+        table = np.zeros((len(v), max(i for i, _ in part) + 1, max(j for _, j in part) + 1))
+        for (i, j), c in part.items():
+            table[:, i, j] = c
+        tables.append(table)
+    return tables[0], tables[1]
 
 
 def _trimmed(table: Reals) -> Reals:

@@ -5,6 +5,7 @@ Sums of residues at the p-roots; companion matrices at the few points where two 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -33,10 +34,11 @@ class Values:
     G_sigma: Any
 
 
-def chunk_of(group: Group) -> int:
-    """How many points are computed at a time."""
+def chunks(group: Group, count: int) -> Iterator[slice]:
+    """As many of `count` points as are computed at a time."""
     size = max(group.contacts, len(group.border[0].kept) + group.contacts, 2)
-    return max(64, min(4096, _CELLS // size**2))
+    step = max(64, min(4096, _CELLS // size**2))
+    return (slice(k, min(k + step, count)) for k in range(0, count, step))
 
 
 def coefficients(table: Any, rows: Any, sigma: Any) -> Any:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.batch.groups import Group
-from mpsolve.batch.kernel import Values, chunk_of, receptances
+from mpsolve.batch.kernel import Values, chunks, receptances
 from mpsolve.numbers.arrays import Complexes, Integers
 from mpsolve.numbers.float64 import AT_A_ZERO
 from mpsolve.numbers.float64 import log_slope as slope_of_log
@@ -41,9 +41,7 @@ def _matrices(group: Group, rows: Any, sigma: Any, values: Values, part: slice) 
 def log_delta(group: Group, rows: Integers, sigma: Any, near: Complexes | None = None) -> tuple[Complexes, Complexes]:
     """log Δ̂ (its imaginary part modulo 2π, up to a constant of the entry) and the p-roots at each point."""
     out, roots = np.empty(len(rows), complex), np.empty((len(rows), group.D.shape[1] - 1), complex)
-    step = chunk_of(group)
-    for k in range(0, len(rows), step):
-        part = slice(k, k + step)
+    for part in chunks(group, len(rows)):
         values = receptances(group, rows[part], sigma[part], None if near is None else near[part])
         out[part], roots[part] = log_det(matrices(group, rows[part], sigma[part], values)[0]), values.z
     return out, roots
@@ -63,9 +61,7 @@ def log_det(A: Complexes) -> Any:
 def log_slope(group: Group, rows: Integers, q: Any, near: Complexes | None = None) -> tuple[Complexes, Complexes]:
     """d log Δ̂/dq and the p-roots at each point."""
     out, roots = np.empty(len(q), complex), np.empty((len(q), group.D.shape[1] - 1), complex)
-    step = chunk_of(group)
-    for k in range(0, len(q), step):
-        part = slice(k, k + step)
+    for part in chunks(group, len(q)):
         with np.errstate(all="ignore"):
             values = receptances(group, rows[part], 1j * q[part], None if near is None else near[part], slope=True)
             both = matrices(group, rows[part], 1j * q[part], values)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.batch.groups import Group
-from mpsolve.batch.kernel import chunk_of, receptances
+from mpsolve.batch.kernel import chunks, receptances
 from mpsolve.batch.waves import felt, moved_between, passes_branch
 from mpsolve.numbers.arrays import Complexes, Reals, Truths
 
@@ -130,9 +130,7 @@ def _signs(group: Group, rows: Any, sigma: Any, near: Complexes | None) -> tuple
     """Where the Hermitian part is clearly positive, where it is clearly not, and the p-roots."""
     clear, negative = np.zeros(len(rows), bool), np.ones(len(rows), bool)
     roots = np.empty((len(rows), group.D.shape[1] - 1), complex)
-    step = chunk_of(group)
-    for k in range(0, len(rows), step):
-        part = slice(k, k + step)
+    for part in chunks(group, len(rows)):
         values = receptances(group, rows[part], sigma[part], None if near is None else near[part])
         H = _shrunk(sigma[part, None, None] * values.G, group.x[rows[part]])
         one = _CLEAR * np.eye(H.shape[1])
@@ -140,7 +138,7 @@ def _signs(group: Group, rows: Any, sigma: Any, near: Complexes | None) -> tuple
         negative[part] = ~clear[part]
         rest = np.flatnonzero(~clear[part])
         if len(rest):
-            negative[k + rest] = ~_definite(H[rest] + one)
+            negative[part.start + rest] = ~_definite(H[rest] + one)
     return clear, negative, roots
 
 

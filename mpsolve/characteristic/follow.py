@@ -116,8 +116,8 @@ def cancelled(z: Any, w: Complexes, up: int, slope: bool, share: float) -> Integ
     power, size, near = 3 if slope else 2, np.abs(z), np.zeros(len(z), bool)
     least = (share * 2.0**53) ** (1 / (power + 1))  # any other s loses less
     for i, j in pairs:
-        near |= ~(np.abs(z[:, i] - z[:, j]) * least > np.maximum(size[:, i], size[:, j]))
-    rows = np.flatnonzero(near)
+        near |= np.abs(z[:, i] - z[:, j]) * least < np.maximum(size[:, i], size[:, j])
+    rows = np.flatnonzero(near & np.isfinite(size).all(1))
     gap = np.full((len(rows), z.shape[1]), np.inf)
     for i, j in pairs:
         apart = np.abs(z[rows, i] - z[rows, j])

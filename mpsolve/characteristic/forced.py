@@ -16,7 +16,7 @@ from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.balls import acb, precision
 from mpsolve.numbers.model import rational, shown
 from mpsolve.problem.reduced import track_guide
-from mpsolve.tracks.at_rest import Status, at_rest
+from mpsolve.tracks.at_rest import require_stable
 from mpsolve.tracks.waveguide import Track, Waveguide
 
 _BITS = 320
@@ -80,9 +80,7 @@ def _sharp(local: Receptance, sigma: complex, xi: list[Fraction]) -> list[comple
 @lru_cache(maxsize=32)
 def _receptance(track: Track | Waveguide, velocity: Fraction) -> Receptance:
     """Kept for the next call; InputError for a track that grows by itself, where a p-root has no side."""
-    found = at_rest(track)
-    if found.status is Status.UNSTABLE:
-        raise InputError("track", f"is unstable without any force: {found.sentence}; lower the axial force N")
+    require_stable(track)
     return Receptance(track_guide(track, velocity))
 
 

@@ -18,6 +18,7 @@ from mpsolve.numbers.balls import acb, acb_mat, acb_poly, rational_ball
 from mpsolve.numbers.several import Several, evaluated
 from mpsolve.problem.family import Family
 from mpsolve.problem.free_track import FreePolynomial
+from mpsolve.tracks.waveguide import slope_in_s
 
 
 class BallSymbol:
@@ -73,8 +74,7 @@ class FreeProved:
     def _slopes(self) -> list[tuple[FreePolynomial, FreePolynomial]]:
         """Of D and N in σ and in each parameter."""
         D, N = self.family.D, self.family.N
-        in_sigma = [{(i, j - 1): j * c for (i, j), c in a.items() if j} for a in (D, N)]
-        out = [(in_sigma[0], in_sigma[1])]
+        out = [(slope_in_s(D), slope_in_s(N))]
         for k in range(len(self.family.paths)):
             first, second = ({key: slope for key, c in a.items() if (slope := slope_of(c, k))} for a in (D, N))
             out.append((first, second))

@@ -8,10 +8,11 @@ import numpy as np
 from flint import acb, acb_poly, arb
 
 from mpsolve.characteristic.discs import Splittings, split
+from mpsolve.characteristic.symbol import Symbol
 from mpsolve.characteristic.table import Table
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
-from mpsolve.numbers.balls import precision, rational_ball
+from mpsolve.numbers.balls import precision
 from mpsolve.problem.reduced import Guide
 
 APART = (
@@ -50,7 +51,7 @@ def _tell_apart(guide: Guide, depth: float) -> Start | None:
     """All n roots isolated, each on a side; U of the splitting is not 0 at the growing ones, L not at the others."""
     with precision(96):
         try:
-            roots = dispersion_at(guide, acb(depth)).roots()
+            roots = acb_poly([row(depth) for row in Symbol.of(guide.D).balls()]).roots()
         except ValueError:  # a multiple root
             return None
         if not all(root.real < 0 or root.real > 0 for root in roots):
@@ -66,29 +67,14 @@ def _tell_apart(guide: Guide, depth: float) -> Start | None:
         return Start(depth, up, s) if apart else None
 
 
-def dispersion_at(guide: Guide, sigma: acb) -> acb_poly:
-    """D̂(P, σ̂) as a polynomial in P with ball coefficients."""
-    out = [acb(0)] * (guide.degree + 1)
-    for (i, j), c in guide.D.items():
-        out[i] += acb(rational_ball(c)) * sigma**j
-    return acb_poly(out)
-
-
 def factors(s: Splittings, row: int) -> tuple[acb_poly, acb_poly]:
     """U and L of one disc as polynomials with ball coefficients."""
     out = []
     for part in (slice(0, s.up), slice(s.up, None)):
         nodes = [acb(complex(z)) for z in s.z[row, part]]
-        full = _product(nodes)
+        full = acb_poly.from_roots(nodes)
         for k, size in enumerate(s.tight[row, part]):
             ball = arb(0, float(size))
-            full += acb_poly([acb(ball, ball)]) * _product(nodes[:k] + nodes[k + 1 :])
+            full += acb_poly([acb(ball, ball)]) * acb_poly.from_roots(nodes[:k] + nodes[k + 1 :])
         out.append(full)
     return out[0], out[1]
-
-
-def _product(nodes: list[acb]) -> acb_poly:
-    full = acb_poly([1])
-    for z in nodes:
-        full *= acb_poly([-z, 1])
-    return full

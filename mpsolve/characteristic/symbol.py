@@ -11,7 +11,7 @@ from mpsolve.frozen import frozen
 from mpsolve.numbers.arithmetic import Arithmetic
 from mpsolve.numbers.balls import acb_poly, bits_now, rational_ball
 from mpsolve.problem.reduced import Guide
-from mpsolve.tracks.waveguide import Polynomial
+from mpsolve.tracks.waveguide import Polynomial, slope_in_s
 
 Table = tuple[tuple[Fraction, ...], ...]
 _KEPT = 16
@@ -61,7 +61,7 @@ class Symbols:
 
     @staticmethod
     def of(guide: Guide) -> Symbols:
-        return Symbols(*map(Symbol.of, (guide.D, guide.N, _slope(guide.D), _slope(guide.N))))
+        return Symbols(*map(Symbol.of, (guide.D, guide.N, slope_in_s(guide.D), slope_in_s(guide.N))))
 
     @cached_property
     def degree(self) -> int:
@@ -122,10 +122,6 @@ class Coefficients:
         lost = N * D_s * over * over
         turn = (N_P * D_s + N * D_sP) * over * over
         return Terms(z, N * over, horner(self.N_sigma, z) * over - turn + lost * D_PP * over, -lost)
-
-
-def _slope(a: Polynomial) -> Polynomial:
-    return {(i, j - 1): j * c for (i, j), c in a.items() if j}
 
 
 def slope_in_P(coefficients: Sequence[Any]) -> list[Any]:

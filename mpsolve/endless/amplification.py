@@ -12,7 +12,7 @@ from mpsolve.characteristic.start import start
 from mpsolve.endless.ratio import Ratio
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.jets import nearest
-from mpsolve.numbers.model import rational, shown
+from mpsolve.numbers.model import range_from_0
 from mpsolve.numbers.plain import float_beside
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
@@ -123,14 +123,7 @@ def _band(reduced: Reduced, band: object) -> tuple[Fraction, Fraction]:
         tail = prove_tail(reduced.guide, reduced.smallest_gap) if reduced.guide.v else None
         top = Fraction(4.0 if tail is None else tail.X) * reduced.frequency_unit
         return (Fraction(0) if _at_zero(reduced) else top / 1000), top
-    try:
-        low, high = (rational(x, "band") for x in band)  # type: ignore[attr-defined]
-    except (TypeError, ValueError) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError("band", "is no range: give (from, to) in rad/s") from None
-    if not 0 <= low < high:
-        raise InputError("band", f"is ({shown(low)}, {shown(high)}): give 0 <= from < to")
+    low, high = range_from_0(band, "band")
     for x in (low, high):
         nearest(x)
     return low, high

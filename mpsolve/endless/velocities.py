@@ -20,9 +20,9 @@ from mpsolve.endless.long_trains import LongTrains, prove_long
 from mpsolve.endless.row import Row, row_of
 from mpsolve.endless.row_scope import row_scope
 from mpsolve.endless.seek import first_where, threshold_of
-from mpsolve.errors import InputError, PrecisionError
+from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import arb, precision, rational_ball
-from mpsolve.numbers.model import rational, shown
+from mpsolve.numbers.model import range_from_0, shown
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given
@@ -99,7 +99,7 @@ def train_velocities(
     answer keeps what is computed and what is proved at single velocities.
     Raises InputError as `infinite_train` does, for a range that is none, and for one that holds a wave speed.
     """
-    low, high = _range(v)
+    low, high = range_from_0(v, "v")
     row, tell = row_of(problem, spacing), progress or silent
     require_premises(row.reduced, HalfPlane())
     low = from_above_rest(row.problem, {"v": (low, high)})["v"][0]
@@ -178,18 +178,6 @@ def _covered(row: Row, known: TrainVelocities, effort: Effort | None, tell: Call
         return cover_row(row_scope(row, known.low, top), found, budget, tell)
     except PrecisionError as error:
         return Covered(None, 0, Reason("row", str(error), {}, "give a smaller range of velocities"))
-
-
-def _range(v: Any) -> tuple[Fraction, Fraction]:
-    try:
-        low, high = (rational(x, "v") for x in v)
-    except (TypeError, ValueError) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError("v", "is no range: give (low, high)") from None
-    if not 0 <= low < high:
-        raise InputError("v", f"is ({shown(low)}, {shown(high)}): give 0 <= low < high")
-    return low, high
 
 
 def _short(v: float, width: float) -> Fraction:

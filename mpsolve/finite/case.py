@@ -19,9 +19,9 @@ from mpsolve.finite.march import Motion, Setting, march
 from mpsolve.numbers.arrays import Integers, Reals
 from mpsolve.numbers.float_list import float_list
 from mpsolve.parallel.threads import one_thread
-from mpsolve.problem.problem import Problem
+from mpsolve.problem.problem import Problem, require_problem
 from mpsolve.proof.effort import Effort
-from mpsolve.tracks.at_rest import Status, at_rest
+from mpsolve.tracks.at_rest import require_stable
 from mpsolve.vehicles.loads import outer_forces
 from mpsolve.vibration.forcing import checked_irregularities
 
@@ -55,13 +55,10 @@ class Case:
         unilateral: bool = False,
         irregularities: Any = None,
     ) -> None:
-        if not isinstance(problem, Problem):
-            raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem")
+        require_problem(problem)
         self.pencil = problem.pencil
         self.waveguide = problem.track.waveguide
-        resting = at_rest(problem.track)
-        if resting.status is Status.UNSTABLE:
-            raise InputError("track", f"is unstable without any force: {resting.sentence}; lower the axial force N")
+        require_stable(problem.track)
         self.outer = outer_forces(self.pencil, loads)
         self.times = _ascending(times)
         self.contacts = np.array([float(x) for x in self.pencil.places])

@@ -7,8 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.characteristic.symbol import horner
 from mpsolve.finite.discretization import Discretization, in_s
 from mpsolve.numbers.arrays import Complexes, Reals
+from mpsolve.numbers.float64 import companions, polynomial_and_slope
 from mpsolve.numbers.wave_tables import Waves
 
 _APART = 1e-5
@@ -54,21 +56,15 @@ def exponentials(track: Discretization) -> Exponentials:
 
 def _roots(coefficients: Reals) -> Complexes:
     """The roots in s of each mode, (J, degree), sharpened by Newton where they stand alone."""
-    degree, count = len(coefficients) - 1, coefficients.shape[1]
+    degree = len(coefficients) - 1
     scale = np.abs(coefficients[0] / coefficients[-1]) ** (1 / degree)
     scale = np.where(scale > 0, scale, 1.0)
     scaled = coefficients * scale ** np.arange(degree + 1)[:, None]
     scaled = scaled / scaled[-1]
-    companion = np.zeros((count, degree, degree))
-    companion[:, range(degree - 1), range(1, degree)] = 1
-    companion[:, -1] = -scaled[:-1].T
-    z = np.linalg.eigvals(companion).astype(complex)
+    z = np.linalg.eigvals(companions(scaled.T)).astype(complex)
     alone = _gaps(z) > _FAR
     for _ in range(_POLISH):
-        value, slope = np.zeros_like(z), np.zeros_like(z)
-        for c in scaled[::-1]:
-            slope = slope * z + value
-            value = value * z + c[:, None]
+        value, slope = polynomial_and_slope(scaled.T, z)
         z = z - np.where(alone, value, 0) / np.where(alone, slope, 1)
     return z * scale[:, None]
 
@@ -95,9 +91,6 @@ def separated(roots: Complexes) -> Complexes:
 
 
 def _residues(lead: Reals, numerator: Reals, roots: Complexes) -> Any:
-    value = np.zeros_like(roots)
-    for c in numerator[::-1]:
-        value = value * roots + c[:, None]
     others = roots[:, :, None] - roots[:, None, :]
     others[:, range(roots.shape[1]), range(roots.shape[1])] = 1
-    return value / (lead[:, None] * others.prod(-1))
+    return horner([c[:, None] for c in numerator], roots) / (lead[:, None] * others.prod(-1))

@@ -1,4 +1,4 @@
-"""What a formula needs of an arithmetic, so that it stands once for float64 arrays, mpmath numbers and balls.
+"""What a formula needs of an arithmetic, so that it stands once for float64 arrays and balls.
 
 Scalars of an arithmetic add, multiply and divide by the usual operators. `Float64` takes arrays of any shape as its
 scalars, and then its matrices are stacks.

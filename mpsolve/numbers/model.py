@@ -232,6 +232,14 @@ def checked_range(value: Any, key: str) -> tuple[Exact, Exact]:
     return low, high
 
 
+def range_from_0(value: Any, key: str) -> tuple[Fraction, Fraction]:
+    """Two rational ends in order, none below 0."""
+    low, high = checked_range(value, key)
+    if low.sign < 0:
+        raise InputError(key, f"starts at {low.short()}, below 0: give 0 or more")
+    return low.as_fraction(), high.as_fraction()
+
+
 def velocities(over: Any, example: str) -> tuple[Fraction, Fraction]:
     """The range of {"v": (low, high)}, 0 ≤ low < high; example: what a message shows of it."""
     if not isinstance(over, Mapping) or list(over) != ["v"]:

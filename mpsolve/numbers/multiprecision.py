@@ -1,54 +1,25 @@
-"""mpmath numbers of any number of digits, in a context of their own: mpmath's global one is never used."""
+"""mpmath numbers of any number of digits, in contexts of their own: mpmath's global one is never used."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 from typing import Any
 
 
-class Multiprecision:
-    """mpmath numbers with `digits` decimal digits; matrices are those of its context `mp`."""
+def context(digits: int) -> Any:
+    """mpmath with so many decimal digits."""
+    import mpmath  # not at the top: proofs do without it, and it costs as much at start as all of them
 
-    def __init__(self, digits: int) -> None:
-        import mpmath  # not at the top: proofs do without it, and it costs as much at start as all of them
+    mp = mpmath.MPContext()
+    mp.dps = digits
+    return mp
 
-        self.mp = mpmath.MPContext()
-        self.mp.dps = digits
 
-    def number(self, x: Fraction) -> Any:
-        return self.mp.mpf(x.numerator) / x.denominator
+def middle(mp: Any, ball: Any) -> Any:
+    """The middle of a real ball as a number of the context, exactly."""
+    from mpmath.libmp import from_man_exp
 
-    def evaluate(self, coefficients: Sequence[Fraction], z: Any) -> Any:
-        total = self.mp.mpc(0)
-        for c in reversed(coefficients):
-            total = total * z + self.number(c)
-        return total
-
-    def matrix(self, rows: Sequence[Sequence[Any]]) -> Any:
-        return self.mp.matrix([list(row) for row in rows]) if len(rows) else self.mp.matrix(0, 0)
-
-    def times(self, a: Any, factor: Any) -> Any:
-        return a * factor
-
-    def product(self, a: Any, b: Any) -> Any:
-        return a * b
-
-    def exp(self, a: Any) -> Any:
-        return self.mp.expm(a)
-
-    def solve(self, a: Any, b: Any) -> Any:
-        return self.mp.inverse(a) * b
-
-    def entry(self, a: Any, i: int, j: int) -> Any:
-        return a[i, j]
-
-    def det(self, a: Any) -> Any:
-        return self.mp.det(a)
-
-    def roots(self, coefficients: Sequence[Any]) -> list[Any]:
-        """The roots of a polynomial, coefficients from the constant term up."""
-        return list(self.mp.polyroots(list(coefficients)[::-1], maxsteps=500, extraprec=3 * self.mp.prec))
+    return mp.make_mpf(from_man_exp(*map(int, ball.mid().man_exp())))
 
 
 class Rule:

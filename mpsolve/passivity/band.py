@@ -19,7 +19,7 @@ from mpsolve.passivity.absorption import Absorption, overtakes
 from mpsolve.passivity.box import passive_beyond
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.subject import Subject
-from mpsolve.problem.problem import Problem
+from mpsolve.problem.problem import Problem, require_problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.tracks.at_rest import Status as Rest
 from mpsolve.tracks.at_rest import at_rest
@@ -74,8 +74,7 @@ def passivity_band(problem: Problem) -> PassivityBand:
     >>> 0.19 < band.least < float(band.value) < 0.4
     True
     """
-    if not isinstance(problem, Problem):
-        raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem")
+    require_problem(problem)
     rest = at_rest(problem.track)
     if rest.status is Rest.UNSTABLE:
         raise InputError("track", f"cannot be used: {rest.sentence}: change its parameters")

@@ -15,7 +15,7 @@ from flint import acb_series
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_poly, arb, bits_now, rational_ball, square
-from mpsolve.tracks.waveguide import Polynomial
+from mpsolve.tracks.waveguide import Polynomial, slope_in_s
 
 Local = dict[tuple[int, int], Any]
 """Σ c P^i s^j about some point, with balls."""
@@ -144,7 +144,7 @@ def _shifted(polynomial: Polynomial, P: acb, s: acb) -> Local:
 def _slopes(local: Local) -> tuple[Local, Local]:
     """∂/∂P and ∂/∂s."""
     by_P = {(i - 1, j): i * c for (i, j), c in local.items() if i}
-    return by_P, {(i, j - 1): j * c for (i, j), c in local.items() if j}
+    return by_P, slope_in_s(local)
 
 
 def _number(local: Local, P: acb, s: acb) -> acb:

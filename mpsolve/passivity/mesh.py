@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from math import comb
 from typing import Any
 
 import numpy as np
@@ -10,6 +9,7 @@ import numpy as np
 from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.float64 import companions
 from mpsolve.passivity.subject import Subject, floats_of
+from mpsolve.tracks.waveguide import carried
 
 _REACH = 12.0  # of the cells, in the largest wavenumber that counts
 _FAR = 100.0  # times the median: a root that is as good as infinite
@@ -43,10 +43,9 @@ def wavenumbers(subject: Subject, q: Any, v: Reals, x: Reals) -> Any:
     rows = subject.rows
     degree = max(i + j for i, j in rows)
     D = np.zeros((len(q), degree + 1), complex)
-    for (i, j), terms in rows.items():
-        c = floats_of(terms, x) * 1j ** (i + j)
-        for k in range(j + 1):
-            D[:, i + k] += c * comb(j, k) * q ** (j - k) * (-v) ** k
+    turned = {(i, j): floats_of(terms, x) * 1j ** (i + j) for (i, j), terms in rows.items()}
+    for (i, j), c in carried(turned, v).items():
+        D[:, i] += c * q**j
     used = np.flatnonzero(np.abs(D).max(0) > 0)
     D = D[:, : used[-1] + 1]
     least = 1e-12 * np.abs(D).max(1)

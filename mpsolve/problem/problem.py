@@ -79,6 +79,12 @@ class Problem:
         return joined(list(zip(pencils, places, endings, strict=True)))
 
 
+def require_problem(given: Any) -> None:
+    """InputError for anything else than a Problem."""
+    if not isinstance(given, Problem):
+        raise InputError("problem", f"is of type {type(given).__name__}: give a Problem")
+
+
 def _placed(vehicles: Any) -> tuple[Placed, ...]:
     entries = vehicles if _many(vehicles) else [vehicles]
     flat = [(j, one) for j, entry in enumerate(entries, 1) for one in (entry if _many(entry) else [entry])]

@@ -57,6 +57,13 @@ class AtRest:
         return str(self.status.value) + (f": {', '.join(where)}" if where else "")
 
 
+def require_stable(track: Track | Waveguide) -> None:
+    """InputError for a track that is unstable without any force."""
+    found = at_rest(track)
+    if found.status is Status.UNSTABLE:
+        raise InputError("track", f"is unstable without any force: {found.sentence}; lower the axial force N")
+
+
 @lru_cache(maxsize=256)
 def at_rest(track: Track | Waveguide) -> AtRest:
     """The status of the track, decided exactly; InputError where D is odd in P, 0, or loses its inertia at some p."""

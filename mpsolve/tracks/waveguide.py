@@ -131,12 +131,22 @@ def cofactor(matrix: Matrix, row: int) -> Polynomial:
 
 def moving(a: Polynomial, velocity: Fraction) -> Polynomial:
     """The polynomial in P and σ that is left when s = σ − vP."""
+    return {key: value for key, value in carried(a, velocity).items() if value}
+
+
+def carried(a: Mapping[tuple[int, int], Any], velocity: Any) -> dict[tuple[int, int], Any]:
+    """The same for any coefficients and velocity, arrays too; some may be 0."""
     out: dict[tuple[int, int], Any] = {}
     for (i, j), c in a.items():
         for k in range(j + 1):
             term = c * (comb(j, k) * (-velocity) ** k)
             out[i + k, j - k] = out[i + k, j - k] + term if (i + k, j - k) in out else term
-    return {key: value for key, value in out.items() if value}
+    return out
+
+
+def slope_in_s(a: Mapping[tuple[int, int], Any]) -> dict[tuple[int, int], Any]:
+    """The derivative in s, or in σ."""
+    return {(i, j - 1): j * c for (i, j), c in a.items() if j}
 
 
 def power(D: Mapping[K, Any], N: Mapping[K, Any]) -> dict[K, Any]:

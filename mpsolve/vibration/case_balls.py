@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import mpmath
@@ -14,6 +15,7 @@ from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.balls import arb, greatest
 from mpsolve.numbers.exact import Exact, Number, exact_list
 from mpsolve.numbers.model import whole
+from mpsolve.numbers.multiprecision import middle
 from mpsolve.problem.case import Case
 from mpsolve.problem.load import loads_of
 from mpsolve.problem.physical import PhysicalCase
@@ -131,11 +133,6 @@ def numbers_of_case(*arguments: Any, digits: int = 15, **options: Any) -> Precis
         if not worst < limit:
             stated = f"at τ = {time.short()} the motion is known to {float(worst):.1e} only, not to {digits} decimals"
             raise PrecisionError(f"{stated}: {_SLOW}")
-    w, steady, harmonic, transient = (np.vectorize(_middle, otypes=[object])(part) for part in parts)
+    middles = np.vectorize(partial(middle, mpmath.mp), otypes=[object])
+    w, steady, harmonic, transient = (middles(part) for part in parts)
     return PreciseMotion(found.case, found.loads, found.xi, found.tau, w, steady, harmonic, transient, digits)
-
-
-def _middle(ball: Any) -> Any:
-    """The middle of a ball as an mpmath number, exactly."""
-    mantissa, exponent = ball.mid().man_exp()
-    return mpmath.mp.make_mpf(mpmath.libmp.from_man_exp(int(mantissa), int(exponent)))

@@ -165,8 +165,8 @@ class PreciseVibration:
     reason: Reason | None = None
 
 
-def unknown_precise(image: Image, mp: Any, times: list[Fraction], reason: Reason) -> PreciseVibration:
+def unknown_precise(image: Image, mp: Any, times: tuple[Fraction, ...], reason: Reason) -> PreciseVibration:
     """Of which nothing is known."""
     rows = np.full((image.channels, len(times)), mp.nan, object)
     known = fields_of(image, rows, steady=rows, harmonic=rows, transient=rows)
-    return PreciseVibration(tuple(times), image.places, **known, error=(math.inf, math.inf), reason=reason)
+    return PreciseVibration(times, image.places, **known, error=(math.inf, math.inf), reason=reason)

@@ -15,17 +15,16 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from mpsolve.certificate.certify import certify
-from mpsolve.errors import EffortError, InputError
-from mpsolve.numbers.model import rational, whole
-from mpsolve.numbers.multiprecision import Multiprecision, Rule
+from mpsolve.errors import EffortError
+from mpsolve.numbers.model import whole
+from mpsolve.numbers.multiprecision import Rule, context
 from mpsolve.outcome import Reason
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
 from mpsolve.spectrum.spectrum import Spectrum
-from mpsolve.vehicles.loads import outer_forces
-from mpsolve.vibration.balls.equations import exact_terms
+from mpsolve.vehicles.loads import exact_forces, outer_forces
 from mpsolve.vibration.balls.image import PreciseImage, number
 from mpsolve.vibration.engine import Engine
 from mpsolve.vibration.forcing import tones
@@ -34,7 +33,7 @@ from mpsolve.vibration.integral import sampled_line
 from mpsolve.vibration.motion import PreciseVibration, fields_of, split, unknown_precise
 from mpsolve.vibration.path import Path
 from mpsolve.vibration.poles import Poles, certified, natural, require_own
-from mpsolve.vibration.vibrate import checked_places
+from mpsolve.vibration.vibrate import checked_places, times_above_0
 
 MOST = 200
 _GUARD = 25
@@ -65,19 +64,17 @@ def response_mp(
     those of `certify` are counted by themselves. progress hears of frequencies, residues and integral.
     """
     digits = whole(digits, "digits", 15, MOST)
-    exact = [rational(t, "times") for t in times]
-    if not exact or min(exact) <= 0:
-        raise InputError("times", "hold none, or one that is not above 0: give times above 0")
+    exact = times_above_0(times)
     work, said = begun(effort), progress or silent
     image = Image(problem, checked_places(problem, places))
     require_own(problem, spectrum)
     outer = outer_forces(image.pencil, loads)
-    K = Multiprecision(digits + _GUARD)
-    precise = PreciseImage(K.mp, image, exact_terms(image.pencil, loads), digits + _GUARD)
+    mp = context(digits + _GUARD)
+    precise = PreciseImage(mp, image, exact_forces(image.pencil, loads), digits + _GUARD)
     try:
         found = _certified(problem, digits + _GUARD, effort, said) if spectrum is None else spectrum
         poles = certified(image, found)
-        at = [K.number(t) * precise.rate for t in exact]
+        at = [mp.mpf(t.numerator) / t.denominator * precise.rate for t in exact]
         engine = Engine(image, tones(image, outer, ()), (), poles)
         path = engine.path(float(max(at)))
         made = _Work(precise, poles, found, digits, path, work, said)
@@ -88,7 +85,7 @@ def response_mp(
             line = sampled_line(engine.transformed, path, omega)
         return _judged(made.motion(at, exact, line.panels.middle, line.panels.half, omega), digits)
     except EffortError as error:
-        return unknown_precise(image, K.mp, exact, error.reason)
+        return unknown_precise(image, mp, exact, error.reason)
 
 
 def _judged(found: PreciseVibration, digits: int) -> PreciseVibration:
@@ -145,7 +142,9 @@ class _Work:
     def fastest(self) -> float:
         return max([float(abs(z)) for z, _ in self.roots] + [float(w) for w in self.image.frequencies], default=0.0)
 
-    def motion(self, at: list[Any], exact: list[Fraction], middle: Any, half: Any, omega: float) -> PreciseVibration:
+    def motion(
+        self, at: list[Any], exact: tuple[Fraction, ...], middle: Any, half: Any, omega: float
+    ) -> PreciseVibration:
         """Everything at the times `at`."""
         mp, image, count = self.mp, self.image.image, len(at)
         self.said("residues", 0.0)
@@ -167,7 +166,7 @@ class _Work:
         _, force, rail = (float(a.max() / np.abs(b).max()) if len(a) else 0.0
                           for a, b in zip(split(image, off), split(image, total), strict=True))  # fmt: skip
         rows = fields_of(image, total, steady=parts[0], harmonic=parts[1], transient=parts[2])
-        return PreciseVibration(tuple(exact), image.places, **rows, error=(rail, force))
+        return PreciseVibration(exact, image.places, **rows, error=(rail, force))
 
     def _panel(self, middle: Any, half: Any) -> tuple[Any, Any, list[Any], Any]:
         """Middle, half, nodes of ω, values there (nodes, channels)."""

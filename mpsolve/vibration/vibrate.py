@@ -15,11 +15,11 @@ from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.float_list import float_list
 from mpsolve.numbers.model import rational
 from mpsolve.parallel.threads import one_thread
-from mpsolve.problem.problem import Problem
+from mpsolve.problem.problem import Problem, require_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
 from mpsolve.spectrum.spectrum import Spectrum
-from mpsolve.tracks.at_rest import Status, at_rest
+from mpsolve.tracks.at_rest import require_stable
 from mpsolve.vehicles.loads import Outer, outer_forces
 from mpsolve.vibration.engine import Engine
 from mpsolve.vibration.forcing import Irregularity, Tone, checked_irregularities, tones
@@ -93,11 +93,8 @@ def _checked(
     problem: Problem, loads: Any, times: Any, places: Any, irregularities: Any, initial: str
 ) -> tuple[Image, tuple[Tone, ...], tuple[Tone, ...], Reals]:
     """What is watched, what acts from t = 0 on, what has acted for ever, and the times."""
-    if not isinstance(problem, Problem):
-        raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem")
-    resting = at_rest(problem.track)
-    if resting.status is Status.UNSTABLE:
-        raise InputError("track", f"is unstable without any force: {resting.sentence}; lower the axial force N")
+    require_problem(problem)
+    require_stable(problem.track)
     if initial not in STARTS:
         raise InputError("initial", f"is {initial!r}: give one of {', '.join(STARTS)}")
     at = _times(times)
@@ -153,6 +150,14 @@ def _times(times: Any) -> Reals:
     if not at.size or np.any(at < 0):
         raise InputError("times", "hold none, or one below 0, where nothing acts yet: give times from 0 on")
     return at
+
+
+def times_above_0(times: Iterable[Any]) -> tuple[Fraction, ...]:
+    """In exact numbers."""
+    exact = tuple(rational(t, "times") for t in times)
+    if not exact or min(exact) <= 0:
+        raise InputError("times", "hold none, or one that is not above 0: give times above 0")
+    return exact
 
 
 def checked_places(problem: Problem, places: Any) -> tuple[Fraction, ...]:

@@ -4,12 +4,12 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
+from multiprecision import Multiprecision
 from residue import Residues
 from track_models import DAMPED
 
 from mpsolve import tracks, vehicles
 from mpsolve.characteristic.bordering import Bordering, direct_contacts
-from mpsolve.numbers.multiprecision import Multiprecision
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import reduce_problem
 

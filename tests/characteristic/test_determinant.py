@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 from evans import delta, evans, split_digits
+from multiprecision import Multiprecision
 from residue import TRACKS, Residues, holds, random_track
 
 from mpsolve.characteristic.bordering import Bordering
@@ -16,7 +17,6 @@ from mpsolve.characteristic.proved import Proved
 from mpsolve.characteristic.splitting import Splitting, monic
 from mpsolve.characteristic.symbol import Symbols
 from mpsolve.numbers.balls import Balls, acb, arb, precision
-from mpsolve.numbers.multiprecision import Multiprecision
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.tracks import EulerBernoulli

@@ -79,3 +79,5 @@ def test_residues_of_close_roots_of_one_side_cancel() -> None:
     assert cancelled(z, w, 2, False, 1e-5).tolist() == [0]
     assert cancelled(z, w, 2, True, 1e-3).tolist() == [0]
     assert not len(cancelled(z, w, 2, False, 1e-3))
+    z[0], z[2, 0], z[3] = 0, np.inf, np.nan  # what float64 does not hold is left as it is
+    assert not len(cancelled(z, w, 2, False, 1e-5))

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from multiprecision import Multiprecision
 from residue import Residues, random_track
 
 from mpsolve.characteristic.receptance import by_companions, companion, residues
@@ -14,7 +15,6 @@ from mpsolve.characteristic.splitting import Splitting, monic
 from mpsolve.characteristic.symbol import Symbols
 from mpsolve.numbers.balls import Balls, acb, precision
 from mpsolve.numbers.float64 import Float64
-from mpsolve.numbers.multiprecision import Multiprecision
 from mpsolve.problem.reduced import track_guide
 
 A, B, F = [-1 + 2j, -0.5 - 1j, -0.3 + 0j], [2 + 0j, 1 - 1j], [1 + 0j, 0.5, 2j]

@@ -6,13 +6,13 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from multiprecision import Multiprecision
 from residue import Residues, random_track
 
 from mpsolve.characteristic.splitting import monic, sharpened, sylvester, upper_count
 from mpsolve.characteristic.symbol import Symbol, Symbols, product
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.float64 import Float64
-from mpsolve.numbers.multiprecision import Multiprecision
 from mpsolve.problem.reduced import track_guide
 
 UPPER, LOWER = [-1 + 2j, -0.5 - 1j], [2 + 0j, 1 - 1j, 0.25 + 1j]

@@ -6,12 +6,12 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from multiprecision import Multiprecision
 from residue import TRACKS
 
 from mpsolve.characteristic.symbol import Symbol, Symbols, horner, product, slope_in_P
 from mpsolve.numbers.balls import Balls, acb, precision
 from mpsolve.numbers.float64 import Float64
-from mpsolve.numbers.multiprecision import Multiprecision
 from mpsolve.problem.reduced import track_guide
 
 POLYNOMIAL = {(0, 0): Fraction(1, 3), (2, 1): Fraction(-5), (2, 0): Fraction(2), (1, 3): Fraction(7, 2)}

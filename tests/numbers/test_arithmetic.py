@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from multiprecision import Multiprecision
 
 from mpsolve.numbers.arithmetic import Arithmetic
 from mpsolve.numbers.balls import Balls, acb, precision
 from mpsolve.numbers.float64 import Float64
-from mpsolve.numbers.multiprecision import Multiprecision
 
 A = np.array([[0.5, 2 - 1j, 0], [1j, -3, 0.25], [1, 1, 4]])
 B = np.array([[1.0], [2j], [-1]])

@@ -6,8 +6,10 @@ from fractions import Fraction
 
 import mpmath
 import pytest
+from flint import arb
+from multiprecision import Multiprecision
 
-from mpsolve.numbers.multiprecision import Multiprecision, Rule
+from mpsolve.numbers.multiprecision import Rule, middle
 
 
 def test_digits_do_not_leak() -> None:
@@ -16,6 +18,12 @@ def test_digits_do_not_leak() -> None:
     assert abs(K.number(Fraction(1, 3)) * 3 - 1) < K.mp.mpf(10) ** -59
     assert abs(K.exp(K.matrix([[K.number(Fraction(1))]]))[0, 0] - K.mp.e) < K.mp.mpf(10) ** -58
     assert mpmath.mp.dps == before
+
+
+def test_the_middle_of_a_ball_is_exact() -> None:
+    ball = arb((-(3**80), -200))
+    assert middle(MP, ball) == -(MP.mpf(3) ** 80) / MP.mpf(2) ** 200
+    assert middle(MP, arb(0)) == 0
 
 
 MP = mpmath.MPContext()

@@ -7,6 +7,7 @@ from functools import cache
 from typing import Any
 
 import pytest
+from multiprecision import Multiprecision
 from residue import TRACKS, Residues, holds, random_track
 
 from mpsolve import Case, certify
@@ -15,7 +16,6 @@ from mpsolve.characteristic.floats import Floats
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, precision
-from mpsolve.numbers.multiprecision import Multiprecision
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.spectrum.enclose import Symmetry, enclose, in_units, isolate, refine

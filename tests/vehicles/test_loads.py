@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 from vehicle_models import TYPICAL
 
 from mpsolve.vehicles.load import Load
-from mpsolve.vehicles.loads import outer_forces
+from mpsolve.vehicles.loads import exact_forces, outer_forces
+from mpsolve.vehicles.mass import Mass
 
 
 @pytest.mark.parametrize("name", ["mass", "oscillator", "bogie", "coach"])
@@ -25,3 +28,10 @@ def test_loads_press_the_contacts_or_the_bodies_that_are_named() -> None:
     assert found.direction[:, 1].tolist() == [0, 1, 0, 0, 0]
     assert (found.amplitude.tolist(), found.frequency.tolist(), found.fastest) == ([0, 2], [0, 50], 50)
     assert outer_forces(pencil, {"body": Load(3)}).direction[:, 0].tolist() == [0, 0, 0, 0, 1]
+
+
+def test_weights_are_exact() -> None:
+    """g = 9.80665 m/s² times the mass that a rigid bounce moves with each coordinate."""
+    ((direction, load),) = exact_forces(Mass("0.1").pencil, None)
+    assert direction == (Fraction("0.980665"),)
+    assert load == Load(1)

@@ -24,25 +24,24 @@ from mpsolve.certificate.certify import certify
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.balls import acb, arb, precision, rational_ball
 from mpsolve.numbers.exact import Exact
-from mpsolve.numbers.model import rational, whole
+from mpsolve.numbers.model import whole
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
-from mpsolve.problem.problem import Problem
+from mpsolve.problem.problem import Problem, require_problem
 from mpsolve.problem.reduced import reduce_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
 from mpsolve.spectrum.regions import Below, HalfPlane, Sheet
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.spectrum.unfelt import unfelt_frequencies
-from mpsolve.vehicles.loads import outer_forces
-from mpsolve.vibration.balls.equations import Term, exact_terms
+from mpsolve.vehicles.loads import Term, exact_forces
 from mpsolve.vibration.balls.image import BallImage
 from mpsolve.vibration.balls.work import Work
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.motion import fields_of
 from mpsolve.vibration.path import above_growth
 from mpsolve.vibration.poles import certified, require_own
-from mpsolve.vibration.vibrate import checked_places
+from mpsolve.vibration.vibrate import checked_places, times_above_0
 
 MOST = 100
 _GUARD, _SPARE, _MOST_LOST = 20, 3, 400
@@ -97,18 +96,15 @@ def response_balls(
     where a step of the proof fails the answer is undecided, with the reason.
     """
     digits = whole(digits, "digits", 1, MOST)
-    if not isinstance(problem, Problem):
-        raise InputError("problem", f"is of type {type(problem).__name__}: give a Problem")
+    require_problem(problem)
     require_own(problem, spectrum)
-    exact = tuple(rational(t, "times") for t in times)
-    if not exact or min(exact) <= 0:
-        raise InputError("times", "hold none, or one that is not above 0: give times above 0")
+    exact = times_above_0(times)
     work = begun(effort)
     image = Image(problem, checked_places(problem, places))
-    outer_forces(image.pencil, loads)
+    terms = exact_forces(image.pencil, loads)
     found = partial(certify, problem, check=False) if spectrum is None else spectrum
     try:
-        asked = Asked(image, exact_terms(image.pencil, loads), [Exact(t) for t in exact], digits)
+        asked = Asked(image, terms, [Exact(t) for t in exact], digits)
         parts = proved_parts(asked, found, work, progress or silent)
     except (EffortError, PrecisionError) as error:
         infinite = np.full((image.channels, len(exact)), arb(0, float("inf")), object)

@@ -2,35 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_mat, arb, precision, rational_ball, square
 from mpsolve.numbers.exact import Exact
-from mpsolve.vehicles.bounce import rigid_bounce
-from mpsolve.vehicles.load import GRAVITY, Load
-from mpsolve.vehicles.vehicle import Pencil
+from mpsolve.vehicles.load import Load
+from mpsolve.vehicles.loads import Term
 from mpsolve.vibration.image import Image
 
 if TYPE_CHECKING:
     from mpsolve.characteristic.symbol import Symbols
-
-Term = tuple[tuple[Fraction, ...], Load]
-"""A load and the direction in which it acts on the coordinates."""
-
-
-def exact_terms(pencil: Pencil, loads: Any) -> list[Term]:
-    """The outer forces as `outer_forces` has them, which has checked them, in exact numbers."""
-    if loads is None:
-        bounce = rigid_bounce(pencil) or ()
-        g = GRAVITY.as_fraction()
-        masses = [sum((m * r for m, r in zip(row, bounce, strict=True)), Fraction(0)) for row in pencil.M]
-        return [(tuple(g * m for m in masses), Load(1))]
-    if isinstance(loads, Mapping):
-        return [(tuple(Fraction(int(name == other)) for other in pencil.names), one) for name, one in loads.items()]
-    return [(tuple(row[j] for row in pencil.B), one) for j, one in enumerate(loads)]
 
 
 class Equations:

@@ -15,7 +15,9 @@ from typing import Any
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, arb_mat, precision
-from mpsolve.vibration.balls.equations import Equations, Term
+from mpsolve.numbers.multiprecision import middle
+from mpsolve.vehicles.loads import Term
+from mpsolve.vibration.balls.equations import Equations
 from mpsolve.vibration.balls.moving import Moving, moving_roots, sharp_roots
 from mpsolve.vibration.balls.solved import Disc, Waves, solved
 from mpsolve.vibration.image import Image
@@ -238,8 +240,4 @@ class PreciseImage(BallImage):
 
 def number(mp: Any, ball: Any) -> Any:
     """The middle of a ball as an mpmath number, exactly as far as the context's digits go."""
-    parts = []
-    for part in (ball.real, ball.imag):
-        mantissa, exponent = part.mid().man_exp()
-        parts.append(mp.ldexp(mp.mpf(int(mantissa)), int(exponent)))
-    return mp.mpc(*parts)
+    return mp.mpc(middle(mp, ball.real), middle(mp, ball.imag))

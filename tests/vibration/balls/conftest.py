@@ -1,6 +1,6 @@
 import pytest
 
-from mpsolve.vibration.balls.equations import exact_terms
+from mpsolve.vehicles.loads import exact_forces
 from mpsolve.vibration.balls.image import BallImage
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.vibrate import checked_places
@@ -12,6 +12,6 @@ def balls():
 
     def image(problem, places=None):
         own = Image(problem, checked_places(problem, places))
-        return BallImage(own, exact_terms(problem.pencil, None), 25)
+        return BallImage(own, exact_forces(problem.pencil, None), 25)
 
     return image

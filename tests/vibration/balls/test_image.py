@@ -11,8 +11,7 @@ from track_models import DAMPED
 from mpsolve import Load, Problem, tracks, vehicles
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, precision
-from mpsolve.vehicles.loads import outer_forces
-from mpsolve.vibration.balls.equations import exact_terms
+from mpsolve.vehicles.loads import exact_forces, outer_forces
 from mpsolve.vibration.balls.image import PreciseImage
 from mpsolve.vibration.forcing import tones, transform
 from mpsolve.vibration.image import Image
@@ -67,7 +66,7 @@ def test_the_image_is_that_of_the_floats(loads: Any) -> None:
     problem = Problem(DAMPED["two-layer"], vehicles.Mass(900), v=30)
     image, mp = Image(problem, (Fraction(2),)), mpmath.MPContext()
     mp.dps = 40
-    precise = PreciseImage(mp, image, exact_terms(image.pencil, loads), 30)
+    precise = PreciseImage(mp, image, exact_forces(image.pencil, loads), 30)
     sigma = 0.02 + 0.1j
     acting = tones(image, outer_forces(image.pencil, loads), ())
     row = image.solve(np.array([sigma]), transform(acting, np.array([sigma]), 2))[0]
