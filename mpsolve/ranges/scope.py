@@ -18,6 +18,7 @@ from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.jets import UP
 from mpsolve.numbers.model import shown
+from mpsolve.numbers.plain import float_beside
 from mpsolve.outcome import Reason
 from mpsolve.passivity import tail
 from mpsolve.passivity.absorption import Absorption, overtakes
@@ -93,11 +94,11 @@ class Scope:
     @cached_property
     def low(self) -> Reals:
         """The corner of the box of x̂, rounded down."""
-        return np.array([_down(a) for a, _ in self.family.box])
+        return np.array([float_beside(a, False) for a, _ in self.family.box])
 
     @cached_property
     def high(self) -> Reals:
-        return np.array([-_down(-b) for _, b in self.family.box])
+        return np.array([float_beside(b, True) for _, b in self.family.box])
 
     @cached_property
     def envelope(self) -> Envelope:
@@ -226,13 +227,10 @@ def checked_over(given: Given, over: object, endless: bool = False) -> dict[str,
         if last is None and not endless:
             raise InputError(path, f"has no upper end, which only crossings and onsets may have: {_GIVE}")
         low = value_at(given, path, first)
-        if last is None:
-            if low < 0:
-                raise InputError(path, f"begins at {shown(low)}: without an upper end it must begin at 0 or above")
-            out[path] = (low, None)  # type: ignore[assignment]
-            continue
-        high = value_at(given, path, last)
-        if not low < high:
+        high: Any = None if last is None else value_at(given, path, last)
+        if high is None and low < 0:
+            raise InputError(path, f"begins at {shown(low)}: without an upper end it must begin at 0 or above")
+        if high is not None and not low < high:
             raise InputError(path, f"ends at {shown(high)}, not above its start {shown(low)}: give the ends in order")
         out[path] = (low, high)
     require_ends(problem, out)  # theorems that need no family rest on it, too
@@ -244,9 +242,3 @@ def one_path(over: Mapping[str, Interval]) -> str:
     if len(over) != 1:
         raise InputError("over", f"names {len(over)} parameters, but this question is about one: give one path")
     return next(iter(over))
-
-
-def _down(x: Fraction) -> float:
-    """A float ≤ x, equal to it where it is one."""
-    value = float(x)
-    return value if Fraction(value) <= x else value / UP if value > 0 else value * UP
