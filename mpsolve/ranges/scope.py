@@ -16,7 +16,6 @@ from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.characteristic.free_proved import FreeProved
 from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.arrays import Reals
-from mpsolve.numbers.jets import UP
 from mpsolve.numbers.model import shown
 from mpsolve.numbers.plain import float_beside
 from mpsolve.outcome import Reason
