@@ -1751,7 +1751,7 @@ class Mark:
 
 
 JOIN = "the splitting does not join on to its neighbour's"
-BATCH = 16  # of how many pieces the kernels are taken at once
+BATCH = 64  # of how many pieces the kernels are taken at once
 
 
 @dataclass(repr=False, eq=False)
