@@ -76,7 +76,7 @@ WORDS = {
     "compare gone.toml -o x.svg": "gone.toml: does not exist",
     "certify table.toml": "table.toml: is a table, as its [rows] shows: use mpsolve table",
     "certify study.toml": "study.toml: is a study, as its [study] shows: use mpsolve study",
-    "study good.toml -o s.sqlite": "study: is missing: add [study]",
+    "study good.toml -o s.sqlite": "is a problem, as its [track] shows: use mpsolve certify good.toml",
     "certify good.toml --digits 5": "--digits: is 5",
     "certify good.toml --region foo": "--region: is 'foo'",
     "certify good.toml --region 2,1,3,4": "--region: re_max is 1, not above re_min = 2",

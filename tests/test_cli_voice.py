@@ -98,7 +98,7 @@ WORDS = [  # the command, the name in front, what the sentence quotes
     ("receptance bogie.toml", "--omega", "missing"),
     ("receptance bogie.toml --omega 1,2", "--omega", "'1,2'"),
     ("receptance bogie.toml --omega 1,2,3 -o x.pdf", "--output", "x.pdf"),
-    ("study bogie.toml -o s.sqlite", "study", "missing"),
+    ("study bogie.toml -o s.sqlite", "bogie.toml", "use mpsolve certify bogie.toml"),
     ("study study.toml -o s.sqlite --workers -3", "--workers", "-3"),
     ("status none.sqlite", "STORE", "none.sqlite"),
     ("export none.sqlite --to xls", "--to", "'xls'"),
