@@ -10,9 +10,9 @@ def context(digits: int) -> Any:
     """mpmath with so many decimal digits."""
     import mpmath  # not at the top: proofs do without it, and it costs as much at start as all of them
 
-    mp = mpmath.MPContext()
-    mp.dps = digits
-    return mp
+    own = mpmath.MPContext()
+    own.dps = digits
+    return own
 
 
 def middle(mp: Any, ball: Any) -> Any:
