@@ -58,21 +58,20 @@ _WRITTEN |= dict.fromkeys(("meter", "meters", "metre", "metres"), "m")
 _MOST = 8  # of an exponent
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _ALIKE = str.maketrans({"μ": "µ", "⋅": "·", "−": "-", "\u00a0": " ", "\u202f": " "})
-_NUMBER = re.compile(
-    r"\s*([+-]?(?:[0-9_]+\s*/\s*[0-9_]+(?![0-9_.])|(?:[0-9_]+\.?[0-9_]*|\.[0-9_]+)(?:[eE][+-]?[0-9_]+)?))(.*)"
-)
-_UNDER = re.compile(r"([0-9]+(?:\.[0-9]*)?|\.[0-9]+)\s*([^0-9.\s].*)")
-_TIMES = re.compile(r"[*·×]\s*([0-9]+(?:\.[0-9]*)?(?:[eE][+-]?[0-9]+)?|\.[0-9]+)(?=[\s(A-Za-zµ]|$)")
-_SYMBOL = re.compile(r"([A-Za-zµ]+|%|°)(?:\^|\*\*)?([+-]?[0-9]+|[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)?")
-_JOINED = re.compile(r"([GMk]?N)(mm|m|s)(?![A-Za-z])")  # kNm², Ns/m
-_COMMA = re.compile(r"\s*[+-]?[0-9]+,[0-9]+\s*[^0-9]*")
-_SPACED = re.compile(r"\s*[+-]?[0-9]{1,3}( [0-9]{3})+(?![0-9])")
+# texts of patterns, which `re` keeps once they are used: most runs read no unit
+_NUMBER = r"\s*([+-]?(?:[0-9_]+\s*/\s*[0-9_]+(?![0-9_.])|(?:[0-9_]+\.?[0-9_]*|\.[0-9_]+)(?:[eE][+-]?[0-9_]+)?))(.*)"
+_UNDER = r"([0-9]+(?:\.[0-9]*)?|\.[0-9]+)\s*([^0-9.\s].*)"
+_TIMES = r"[*·×]\s*([0-9]+(?:\.[0-9]*)?(?:[eE][+-]?[0-9]+)?|\.[0-9]+)(?=[\s(A-Za-zµ]|$)"
+_SYMBOL = r"([A-Za-zµ]+|%|°)(?:\^|\*\*)?([+-]?[0-9]+|[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)?"
+_JOINED = r"([GMk]?N)(mm|m|s)(?![A-Za-z])"  # kNm², Ns/m
+_COMMA = r"\s*[+-]?[0-9]+,[0-9]+\s*[^0-9]*"
+_SPACED = r"\s*[+-]?[0-9]{1,3}( [0-9]{3})+(?![0-9])"
 
 
 def split(text: str) -> tuple[str, str]:
     """The number and the unit of a text: ("360", "km/h"); the unit is "" where there is none."""
     tidy = text.translate(_ALIKE)
-    parts = _NUMBER.fullmatch(tidy)
+    parts = re.fullmatch(_NUMBER, tidy)
     return (parts[1], parts[2].strip()) if parts else (tidy.strip(), "")
 
 
@@ -128,7 +127,7 @@ def factor(unit: str) -> Factor:
 
 def _bracket(text: str) -> Factor:
     """What stands in brackets under a stroke: units, with a number before them where there is one, as (0.6 m)."""
-    parts = _UNDER.fullmatch(text)
+    parts = re.fullmatch(_UNDER, text)
     if parts is None:
         return _product(text, False)
     number = Fraction(parts[1])
@@ -140,11 +139,11 @@ def _bracket(text: str) -> Factor:
 
 def _product(text: str, alone: bool) -> Factor:
     """A product of symbols; one only where it stands under a stroke without brackets."""
-    size, text = Fraction(1), _JOINED.sub(r"\1 \2", text).replace("**", "^")
+    size, text = Fraction(1), re.sub(_JOINED, r"\1 \2", text).replace("**", "^")
     if not alone:  # numbers between units, as in 210 GPa * 3038 cm^4
-        for times in _TIMES.findall(text):
+        for times in re.findall(_TIMES, text):
             size *= Fraction(times)
-        text = _TIMES.sub(" ", text)
+        text = re.sub(_TIMES, " ", text)
     words = text.replace("·", " ").replace("*", " ").replace(" ^", "^").split()
     if not words:
         raise ValueError("has a stroke with nothing on one side")
@@ -154,7 +153,7 @@ def _product(text: str, alone: bool) -> Factor:
         raise ValueError(f"divides by {words[0]}, a number alone: write the distance as /(0.6 m), with its unit")
     powers = (0, 0, 0)
     for word in words:
-        parts = _SYMBOL.fullmatch(word)
+        parts = re.fullmatch(_SYMBOL, word)
         if parts is None:
             raise _NoUnitError(word)
         number, dimension = _symbol(parts[1])
@@ -232,9 +231,9 @@ def _sum(a: Dimension, b: Dimension, times: int) -> Dimension:
 
 def _refuse_look_alike(text: str, key: str) -> None:
     """Numbers as people write them, which are none here."""
-    if _SPACED.match(text):
+    if re.match(_SPACED, text):
         _refuse(text, key, "whose spaces stand within the number: write it without spaces, or 1_000 for 1 000")
-    if _COMMA.fullmatch(text):
+    if re.fullmatch(_COMMA, text):
         _refuse(text, key, "with a comma: write a point for the decimals, and no comma for thousands")
 
 
