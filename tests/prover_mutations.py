@@ -102,8 +102,8 @@ CHARACTERISTIC = [
         "waves behind a load have the other sign",
         "characteristic.residues",
         "summed",
-        "behind, -1.0)",
-        "behind, 1.0)",
+        "back = -at",
+        "back = at",
     ),
     Mutation(
         "D_P: the factors of powers are off by one",

@@ -89,7 +89,7 @@ def _within_bound(answer: Zeros, region: Region) -> Zeros:
     near = complex(beyond.q)
     message = f"a zero lies near z = {near:.8g}, where |z| is not below the bound: {bound_words(region)}"
     place = {"re": repr(near.real), "im": repr(near.imag)}
-    reason = Reason("bound", message, place, "give a larger bound, which holds, or a Rectangle")
+    reason = Reason("bound", message, place, "give a bound that holds, or ask for a rectangle")
     known = {"counted": answer.count}
     return replace(answer, status=Status.UNDECIDED, reason=reason, known=known, count=None, certificate=None)
 

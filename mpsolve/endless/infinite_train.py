@@ -99,7 +99,7 @@ def decide(row: Row, effort: Effort, tell: Progress) -> InfiniteTrain:
     """The answer for a row; the effort is used as it is."""
     started = process_time()
     tell("looking", 0.0)
-    reach = reach_of(row)
+    reach = reach_of(row, effort)
     bloch, unit = Bloch(row), float(row.reduced.frequency_unit)
     ahead, back = (replace(gain, q=gain.q * unit) for gain in gains(bloch, reach))
     separation, long_trains = closest(bloch, reach)[0], long_trains_grow(bloch, reach)
@@ -117,9 +117,12 @@ def decide(row: Row, effort: Effort, tell: Progress) -> InfiniteTrain:
     return replace(found, cost=Cost(process_time() - started, 0.0, effort.spent))
 
 
-def reach_of(row: Row) -> float:
+def reach_of(row: Row, effort: Effort | None = None) -> float:
     """The scaled frequency up to which floats look: beyond it the row only takes energy, where that is proved."""
-    tail = prove_tail(row.reduced.guide, row.gap) if row.reduced.guide.v else None
+    try:
+        tail = prove_tail(row.reduced.guide, row.gap, effort) if row.reduced.guide.v else None
+    except EffortError:  # what is proved next ends by it, too, and says so
+        tail = None
     return max(_LEAST_REACH, 4.0 if tail is None else tail.X)
 
 
