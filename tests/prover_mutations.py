@@ -99,11 +99,7 @@ CHARACTERISTIC = [
         "sprung",
     ),
     Mutation(
-        "waves behind a load have the other sign",
-        "characteristic.residues",
-        "summed",
-        "back = -at",
-        "back = at",
+        "waves behind a load have the other sign", "characteristic.residues", "summed", "back = -at", "back = at"
     ),
     Mutation(
         "D_P: the factors of powers are off by one",
