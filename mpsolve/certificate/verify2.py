@@ -1751,7 +1751,7 @@ class Mark:
 
 
 JOIN = "the splitting does not join on to its neighbour's"
-BATCH = 64  # of how many pieces the kernels are taken at once
+KERNELS = 1_000  # so many are taken at once, of all pieces of a path or of some
 
 
 @dataclass(repr=False, eq=False)
@@ -1816,9 +1816,10 @@ class Walker:
         """Proves every piece of a path: the marks at its points and, for "turn", the turns of each piece."""
         require(points[0] in self.marks, "a path does not begin where an earlier one ends")
         marks, turns, told = [self.marks[points[0]]], list[list[Turn]](), partial(in_piece, kind, points)
-        for first in range(0, len(points) - 1, BATCH):
+        batch = max(1, KERNELS // len(self.waves.gaps))
+        for first in range(0, len(points) - 1, batch):
             found = {}
-            for k, b in enumerate(points[first + 1 : first + BATCH + 1], first):
+            for k, b in enumerate(points[first + 1 : first + batch + 1], first):
                 with told(k):
                     end, found[k] = self.piece(kind, marks[-1], b)
                 marks.append(end)
