@@ -155,7 +155,7 @@ def test_each_help_ends_with_an_example_that_can_be_typed(name: str) -> None:
 )
 def test_a_closed_stream_is_no_traceback(tmp_path: Path, words: str, closed: str, said: str) -> None:
     """Whoever starts a program may close its streams: Python then has None in their places."""
-    root = Path(mpsolve.__file__).parents[1]
+    root = Path(__file__).parents[1]
     command = f"{shlex.quote(sys.executable)} -m mpsolve {words.format(root=root)} {closed}"
     environment = os.environ | {"PYTHONPATH": str(root)}
     done = subprocess.run(
