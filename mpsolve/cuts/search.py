@@ -29,7 +29,7 @@ from mpsolve.ranges.judge import Judge, boxes_of
 ELSEWHERE = 4
 """Of a box that belongs to the other side of the cut, or to mirror images."""
 _BITS, _TRIED = 80, 80
-_SMALLEST = 2.0**-24  # of the whole
+_SMALLEST = 2.0**-32  # of the whole
 _INNER = 6.0  # of |p|, scaled
 _SIZE = 2.0**-6  # of half the whole: where a zero is looked for round a point
 
