@@ -130,7 +130,7 @@ def test_the_time_of_lift_off_does_not_depend_on_the_times_that_are_asked_for(po
 def test_a_page_of_many_masses_comes_back_whole(number: int) -> None:
     """Three masses were undecided with an empty chart, four came to no end: now within the budget, with a chart."""
     case = Case(alpha="0.5", eta_b="0.05", eta_m=[70] * number, positions=[f"{1.5 * k}" for k in range(number)])
-    parts = gather(case, "", digits=15, seconds=30, tell=lambda *_: None)
+    parts = gather(case, "", digits=15, seconds=60, tell=lambda *_: None)
     assert parts.spectrum.proved
     assert parts.verdict.startswith("STABLE")
     assert parts.reach.value is not None
