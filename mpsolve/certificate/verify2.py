@@ -1053,10 +1053,8 @@ class Local:
                 column.pop()
         forms, bounds = [], list[list[Any]]()
         for i in range(table.nrows()):
-            k, parts = (
-                [],
-                list[list[list[Any]]]([[], [], [], []]),
-            )  # bounds: of constants, linear, quadratic, the rest
+            k: Rows = []
+            parts: list[list[list[Any]]] = [[], [], [], []]  # bounds: of constants, linear, quadratic, the rest
             for number, column in enumerate(columns):
                 c = column[i:]
                 if i and len(c) > 1:

@@ -934,7 +934,7 @@ def test_the_small_block_has_the_roots_of_the_determinant(m):
         v2.block(([acb_mat(n, n, [1] * (n * n)), A[1]], lost), m)
 
 
-def test_a_closing_that_one_precision_leaves_open_is_taken_with_more():
+def test_a_closing_that_one_precision_leaves_open_is_taken_with_more(monkeypatch):
     """Light contacts so close that the receptance matrix is nearly singular: the sum is sharp all the same."""
     eq = p.equations(PAPER, "1/2", p.masses([40] * 12, row(12, "1/50")))
     car, track = v2.read_vehicle(eq["vehicle"], None), v2.read_track(eq["track"], eq["velocity"])
@@ -958,6 +958,10 @@ def test_a_closing_that_one_precision_leaves_open_is_taken_with_more():
     assert not once < 0.1
     assert found.rad() < 0.1
     assert found.overlaps(sharp)
+    near = v2.apart_near
+    monkeypatch.setattr(v2, "apart_near", lambda local, known: exchanged(near(local, known)))
+    with v2.precision(10), pytest.raises(v2.Refused, match="where the path comes to its corner"):
+        v2.closing(walker, corner)  # sharper p-roots, but of other sides
 
 
 def test_it_runs_as_a_plain_script_without_numpy_and_without_the_package(tmp_path):
