@@ -155,15 +155,12 @@ class Question:
         unit = rational_ball(self.scope.family.frequency_unit)
         seen = (root.q for root in self.base.roots if not root.q.real < 0)
         q = min(seen, key=lambda q: float(q.imag.mid()), default=None)
-        if q is None or not (q.imag / unit).upper() < found.state[0].imag.mid() - _SEEN * abs(
-            found.state[0].imag.mid()
-        ):
+        below = found.state[0].imag.mid()
+        if q is None or not (q.imag / unit).upper() < below - _SEEN * abs(below):
             return None
+        curve, step = RootCurve(self.scope.proved), float(self.scope.high[0] - self.scope.low[0]) * _CUT
         with precision(80):
-            step = float(self.scope.high[0] - self.scope.low[0]) * _CUT
-            return lowest_near(
-                RootCurve(self.scope.proved), (acb((q / unit).mid()),), float(found.x), self._ends, step
-            )
+            return lowest_near(curve, (acb((q / unit).mid()),), float(found.x), self._ends, step)
 
     def _at(self, found: Candidate) -> Fraction:
         """An exact point next to where the root was found."""
