@@ -268,9 +268,10 @@ def _half_plane(
 
 def whole_number(turned: int, error: int, unit: int) -> int:
     """The one integer in turned/unit ± error/unit, or NotCheckedError."""
-    n = (2 * turned + unit) // (2 * unit)
-    if 2 * (abs(turned - n * unit) + error + (abs(n) + 1) * 2**16) >= unit:
-        raise NotCheckedError("the angle does not tell the number")
-    if abs(turned - n * unit) > error + (abs(n) + 1) * 2**16:
+    error += (abs(turned) // unit + 2) * 2**16
+    low, high = -((error - turned) // unit), (turned + error) // unit
+    if low > high:
         raise NotCheckedError("no whole number is in the angle")
-    return n
+    if low < high:
+        raise NotCheckedError("the angle does not tell the number")
+    return low

@@ -1,35 +1,47 @@
-"""No root far out below the cuts, for masses on a beam: section 8.5 of SPEC2.md, with bounds that are rationals."""
+"""No root on the edge far out, for masses on a beam, and how arg Δ turns there: section 8.5 of SPEC2.md."""
 
 from __future__ import annotations
 
 from fractions import Fraction
 from itertools import pairwise
-from math import cos, pi, sin
 from typing import Any
 
-import balls as b
-from balls import ONE, Ball, ball, exp
-from reading import Point, need
-from taylor import Line, constant
+from balls import ONE, PI, ZERO, arg, ball, exp
+from reading import need
 from track import root_bounds
-from waves import THIN, WIDE, Thin, Waves, linked
+from waves import Thin, Waves
 
-R2 = root_bounds(Fraction(2), 1, 2)
-R5 = root_bounds(Fraction(5), 1, 2)
-STEPS = 48
-"""Discs round the circle."""
+PARTS = 32
+"""Of the range of y = 1/λ²."""
 
 
-class Scaled:
-    """What `Waves` needs of P̂⁴ + 1 − 2v û P̂ + ((T + mv²)/m) û² P̂² + (k'EI/m²) û⁴, û = u/c₀ in place of σ."""
+class Range:
+    """All numbers from low to high."""
 
-    def __init__(self, beam: Any) -> None:
-        one = Fraction(1)
-        terms = {(4, 0): one, (0, 0): one, (1, 1): -2 * beam.v, (2, 2): (beam.T + beam.m * beam.v**2) / beam.m}
-        terms[0, 4] = beam.k * beam.EI / beam.m**2
-        self.d = {key: c for key, c in terms.items() if c}
-        self.moving_n = {(0, 0): one}
-        self.degree = 4
+    def __init__(self, low: Fraction | int, high: Fraction | int) -> None:
+        self.low, self.high = Fraction(low), Fraction(high)
+
+    def __add__(self, other: Range) -> Range:
+        return Range(self.low + other.low, self.high + other.high)
+
+    def __sub__(self, other: Range) -> Range:
+        return Range(self.low - other.high, self.high - other.low)
+
+    def __mul__(self, other: Range) -> Range:
+        ends = [x * y for x in (self.low, self.high) for y in (other.low, other.high)]
+        return Range(min(ends), max(ends)).short()
+
+    def __truediv__(self, other: Range) -> Range:
+        need(other.low > 0, "a quantity far out may be 0")
+        return self * Range(1 / other.high, 1 / other.low)
+
+    def short(self) -> Range:
+        """With few digits."""
+        return Range(-_above(-self.low), _above(self.high))
+
+    def root(self) -> Range:
+        need(self.low > 0, "a quantity far out may not be positive")
+        return Range(root_bounds(self.low, 1, 2)[0], root_bounds(self.high, 1, 2)[1]).short()
 
 
 def _above(value: float | Fraction) -> Fraction:
@@ -38,141 +50,115 @@ def _above(value: float | Fraction) -> Fraction:
     return Fraction(-((-value.numerator << 64) // value.denominator), 1 << 64)
 
 
-def _bounds(beam: Any, R: Fraction) -> list[Fraction]:
-    """b₁ … b₅ on |û| = R."""
-    waves = Waves(Scaled(beam))  # type: ignore[arg-type]
-    b.set_bits(THIN)
-    half = ball(root_bounds(Fraction(1, 2), 1, 2)[0]).wide(2.0**-70)  # 1/√2
-    eighth = half + half * Ball(0, 1)  # e^{iπ/4}
-    targets = [-eighth, -(eighth.conj()), eighth, eighth.conj()]  # a, e, c, f at û = 0
-    roots = waves.thin(ball(0), [z.complex() for z in targets])
-    need(all(not (z - t).lower() > 0 for z, t in zip(roots, targets, strict=True)), "the waves at infinity")
-    thin = Thin(ball(0), roots, [True, True, False, False])
-    names = list(range(4))
-    out = [0.0] * 5
-    thin, names, _ = _step(waves, thin, names, (R / 2, Fraction(0)), False, (eighth, half))
-    circle = [_on_circle(R, 2 * pi * k / STEPS) for k in range(STEPS)]
-    ahead = [p[0] * q[1] - p[1] * q[0] > 0 < p[0] * q[0] + p[1] * q[1] for p, q in pairwise([*circle, circle[0]])]
-    need(all(ahead), "the polygon does not go round")
-    for k, end in enumerate([*circle, circle[0]]):
-        thin, names, found = _step(waves, thin, names, end, k > 0, (eighth, half))
-        out = [max(pair) for pair in zip(out, found, strict=True)]
-    return [_above(value) for value in out]
+def _just(x: Fraction | int) -> Range:
+    return Range(x, x)
 
 
-def _on_circle(R: Fraction, t: float) -> Point:
-    """A point of modulus ≥ R, above it by less than 2^−60 R: discs that are wider by 2^−20 reach round the circle."""
-    u = Fraction(cos(t)), Fraction(sin(t))
-    size = root_bounds(u[0] ** 2 + u[1] ** 2, 1, 2)[0]
-    return R * u[0] / size, R * u[1] / size
+def _waves(nu2: Fraction, g: Fraction, kappa: Fraction, y: Range) -> tuple[Range, Range, Range]:
+    """q, C² and h of section 8.5 over a part."""
+    S = _just(4)
+    for _ in range(16):
+        tried = Range(S.low - (S.high - S.low) / 2 - Fraction(1, 2**40), S.high * 2 - S.low + Fraction(1, 2**40))
+        e = y * (_just(4 * nu2) / tried - _just(g))
+        S = e * e + _just(4) * (_just(1) - _just(kappa) * y * y)
+        need(S.low > 0, "the waves far out")
+        if tried.low <= S.low and S.high <= tried.high:
+            break
+    else:
+        need(False, "the waves far out")
+    s, square = S.root(), _just(4 * nu2) * y / S
+    x = square - _just(2 * g) * y
+    plus, less = _just(2) * s + x, _just(2) * s - x
+    need(less.low > 0, "the waves far out")
+    uneven = (s + square) * (s + square) / (S + _just(2) * square * (square - _just(g) * y))
+    return less / plus, uneven, plus.root() / _just(2)
 
 
-def _step(
-    waves: Waves, begin: Thin, names: list[int], end: Point, used: bool, constants: tuple[Ball, Ball]
-) -> tuple[Thin, list[int], list[float]]:
-    """One piece: the end, which root is which there, and the bounds on its disc."""
-    eighth, half = constants
-    last = ball(end[0], end[1])
-    at = ((begin.at + last) * ball(Fraction(1, 2))).mid()
-    r = max((begin.at - at).upper(), (last - at).upper()) * (1 + 2.0**-20)
-    before = b.set_bits(WIDE)
-    try:
-        lines = waves.piece(at, r, [z.complex() for z in begin.roots])
-    finally:
-        b.set_bits(before)
-    named = _names(begin.roots, names, [line.at(begin.at - at) for line in lines])
-    there = [line.at(last - at) for line in lines]
-    roots = waves.thin(last, waves.guesses(last.complex(), [z.complex() for z in there]))
-    final = _names(there, named, roots)
-    new = Thin(last, roots, [name < 2 for name in final])
-    if not used:
-        return new, final, [0.0] * 5
-    P = [lines[named.index(k)] for k in range(4)]
-    w = []
-    for k, root in enumerate(P):
-        c = constant(ONE if k < 2 else -ONE, r)
-        for i, other in enumerate(P):
-            if i != k:
-                c = c * (root - other).inverse()
-        w.append(c)
-    a, e, c, f = w
-
-    def departs(value: Line, target: Ball) -> float:
-        return (value - constant(target, r)).upper()
-
-    four, two = ball(4), ball(2)
-    bounds = [
-        departs(a + e, half * ball(Fraction(1, 2))),
-        departs((a * c).times(Ball(0, -16)), ONE),
-        departs((a + c).times(four * eighth.conj()), two),
-        max(departs(P[1], -(eighth.conj())), departs(P[3], eighth.conj())),
-        max(value.upper() for value in (a, e, c, f)),
-    ]
-    return new, final, bounds
-
-
-def _names(ones: list[Ball], names: list[int], others: list[Ball]) -> list[int]:
-    """The names of the others, by which of the ones each meets: two bits of them at a time."""
-    low = linked(ones, [bool(n & 1) for n in names], others)
-    high = linked(ones, [bool(n & 2) for n in names], others)
-    return [int(x) + 2 * int(y) for x, y in zip(low, high, strict=True)]
-
-
-def check_far(beam: Any, W: Fraction, rho: Fraction) -> None:
-    """No root has |z| ≥ ρ below the cuts."""
-    vehicle = beam.lower
-    n = vehicle.bodies
+def _masses(beam: Any) -> list[tuple[Fraction, Fraction]]:
+    """(place, mass), ascending: every body is a mass with a contact of its own."""
+    vehicle, eta = beam.lower, beam.eta
+    n, M, B = vehicle.bodies, vehicle.M, vehicle.B
     alone = n == vehicle.contacts and not any(vehicle.h)
-    for i in range(n):
-        used = [j for j in range(n) if i < vehicle.contacts and vehicle.B[i][j]] if alone else []
-        alone = alone and len(used) == 1 and sum(bool(row[used[0]]) for row in vehicle.B) == 1
-        off = [vehicle.M[i][j] for j in range(n) if j != i] if alone else [1]
-        alone = alone and not any(off) and vehicle.M[i][i] > 0
-    eta, M = beam.eta, vehicle.M
-    masses = alone and all(
-        vehicle.C[i][j] == -2 * eta * M[i][j] and vehicle.K[i][j] == eta**2 * M[i][j]
-        for i in range(n)
-        for j in range(n)
-    )
-    need(masses, "the vehicles are not masses of their own")
-    c_low, c_high = root_bounds(beam.EI / beam.m, 1, 2)
-    need(W > 0 and rho > c_high * W * W, "the reach is beyond the path")
-    R = _above(1 / (W * c_low)) * Fraction(2**30 + 1, 2**30)
-    W = 1 / (c_high * R)  # a little less: the bounds below hold from there on
-    bound = (c_low * W * W) ** 2
-    sizes = [abs(c) * bound**k for k, c in enumerate(beam.discriminant())]
-    need(2 * sizes[-1] > sum(sizes), "branch points may lie beyond the reach")
-    b1, b2, b3, b4, b5 = _bounds(beam, R)
-    free = 1 - eta / (c_low * W * W)
-    need(free > 0, "the reach is too small")
-    s = _above(2 * R2[1] * b1 + free**-2 - 1)
-    need(2 * s < 1 and 2 * b2 < 1 and 2 * b4 < 1, "the reach is too small")
-    g = R2[1] / 2
-    delta, h = _above((b2 + s) / (1 - s) * g), _above((b3 + 2 * b2) / (1 - b2))
-    product = _cascade(len(vehicle.sites), g, delta, h)
-    if vehicle.gap is None:
-        return
-    t = _above(2 * R2[1] * b5 / (1 - s))
-    decay = W * (R2[0] / 2 - b4) * vehicle.gap
-    small = _above(Fraction(exp(ball(-decay)).upper())) * t
-    N = len(vehicle.sites)
-    inner = 1 + (N - 1) * (t + small) ** 2
-    power = inner ** ((N - 1) // 2) * (root_bounds(inner, 1, 2)[1] if (N - 1) % 2 else 1)
-    need(N * root_bounds(Fraction(N - 1), 1, 2)[1] * small * power < product, "waves between masses may add up")
+    both = [(i, j) for i in range(n) for j in range(n)] if alone else []
+    alone = alone and all(sum(map(bool, row)) == 1 for row in (*B, *zip(*B, strict=True)))
+    alone = alone and all(M[i][i] > 0 if i == j else not M[i][j] for i, j in both)
+    bare = all(vehicle.C[i][j] == -2 * eta * M[i][j] and vehicle.K[i][j] == eta**2 * M[i][j] for i, j in both)
+    need(alone and bare, "the vehicles are not masses of their own")
+    out = {place: Fraction(0) for place in vehicle.sites}
+    for i, j in both:
+        if B[i][j]:
+            out[vehicle.places[j]] += M[i][i] / B[i][j] ** 2
+    return sorted(out.items())
 
 
-def _cascade(n: int, g: Fraction, delta: Fraction, h: Fraction) -> Fraction:
+def check_far(beam: Any, rho: Fraction, waves: Waves, thin: Thin) -> tuple[int, int]:
+    """By how much arg Δ changes from ρ on to infinity and to −i∞, and its error: no root is on the edge beyond ρ."""
+    masses, eta = _masses(beam), beam.eta
+    need(rho > eta, "the reach is too small")
+    c0 = Range(*root_bounds(beam.EI / beam.m, 1, 2))
+    top = _above(c0.high / rho)
+    nu2 = beam.m * beam.v**2 / beam.EI
+    ends = [Range(top * k / PARTS, top * (k + 1) / PARTS) for k in range(PARTS)]
+    parts = [_waves(nu2, beam.T / beam.EI + nu2, beam.k / beam.EI, y) for y in ends]
+    low, high = min(q.low for q, _, _ in parts), max(q.high for q, _, _ in parts)
+    C2, h = max(c.high for _, c, _ in parts), min(d.low for _, _, d in parts)
+    a = 2 * eta * rho / (rho**2 - eta**2)
+    need(1 + low > (1 + a**2) * C2, "the reach is too small")
+    r = _above(1 / root_bounds(1 + low, 1, 2)[0])
+    product = _cascade(len(masses), r, a)
+    x = Fraction(0)
+    if len(masses) > 1:
+        gap = min(q - p for (p, _), (q, _) in pairwise(masses))
+        decay = root_bounds(rho / c0.high, 1, 2)[0] * h * gap
+        small = _above(r * root_bounds(high, 1, 2)[1] * Fraction(exp(ball(-decay)).upper()))
+        most = r * (root_bounds(C2, 1, 2)[1] + (root_bounds(C2 - 1, 1, 2)[1] if C2 > 1 else 0))
+        n = len(masses)
+        row = _above(root_bounds(1 + (n - 1) * (most + small) ** 2, 1, 2)[1])
+        x = _above(n * root_bounds(Fraction(n - 1), 1, 2)[1] * small * row ** (n - 1) / product)
+        need(x < 1, "waves between masses may add up")
+    total, error = _argument(masses, waves, thin, eta, rho)
+    beside, wrong = arg(ball(root_bounds(1 - x**2, 1, 2)[0], x))  # no less than arcsin x
+    return -total, error + beside + wrong
+
+
+def _cascade(n: int, r: Fraction, a: Fraction) -> Fraction:
     """A bound below |det(1 + T)|."""
-    Z, product = _above(g + delta), Fraction(1)
+    Z, product = r, Fraction(1)
     for _ in range(n - 1):
-        lost = (g + delta) * Z
-        need(lost < 1, "too many masses for the reach")
-        product *= 1 - lost
-        if Z <= 1:
-            square = 1 - (3 - R5[1]) * (1 - Z * Z) / (R2[1] + Z) ** 2
-        else:
-            need(R2[0] > Z, "too many masses for the reach")
-            square = 1 + (Z * Z - 1) / (R2[0] - Z) ** 2
-        first = root_bounds(_above(square), 1, 2)[1]
-        Z = _above(first + (Z * (2 * delta + (g + delta) * h) + delta + first * Z * delta) / (1 - lost))
+        left = 1 - r * Z
+        need(left > 0, "too many masses for the reach")
+        product *= left
+        first = (Z + r) / (1 + r * Z) if Z <= 1 else root_bounds(1 + (1 - r**2) * (Z**2 - 1) / left**2, 1, 2)[1]
+        Z = _above(first + 2 * a * Z / left)
     return product
+
+
+def _argument(
+    masses: list[tuple[Fraction, Fraction]], waves: Waves, thin: Thin, eta: Fraction, rho: Fraction
+) -> tuple[int, int]:
+    """The continuous argument at ρ but for evanescent waves, and its error."""
+    amplitudes = waves.amplitudes(thin)
+    free = []
+    for upper, sign in ((True, -1), (False, 1)):
+        side = [k for k, u in enumerate(thin.upper) if u == upper]
+        free.append([k for k in side if thin.roots[k].sign() != sign])
+        need(len(free[-1]) == 1, "the waves far out are not told apart")
+    (i,), (j,) = free
+    step, ahead, behind = thin.roots[i] - thin.roots[j], amplitudes[i], amplitudes[j]
+    at_contact = ZERO
+    for c, u in zip(amplitudes, thin.upper, strict=True):
+        at_contact = at_contact + c if u else at_contact
+    sigma = ball(-eta, rho)
+    total = error = 0
+    arriving, last = ZERO, masses[-1][0]
+    for place, mass in reversed(masses):
+        arriving = arriving * exp(step * ball(last - place))
+        d = at_contact + (ball(mass) * sigma * sigma).inverse()
+        over = d.inverse()
+        factor = ONE + behind * over * arriving
+        for value, times, less in ((sigma, 2, 0), (-d, 1, PI), (factor, 1, 0)):
+            angle, wrong = arg(value)
+            total, error = total + times * angle - less, error + times * wrong
+        arriving = (arriving * (ONE - (ahead + behind) * over) - ahead * over) / factor
+        last = place
+    return total, error + 100

@@ -12,7 +12,7 @@ import exact as x
 from balls import PI
 from counting import Walk, whole_number
 from far import check_far
-from reading import NotCheckedError, Path, Point, along, dyadic, keys, listed, need, point
+from reading import NotCheckedError, Path, Point, dyadic, keys, listed, need, point
 from track import Track, Vehicle
 from waves import THIN, Thin, linked
 
@@ -169,7 +169,7 @@ def count_sheet(track: Track, vehicle: Vehicle, paths: list[Path], theorem: Any,
     b.set_bits(THIN)
     if "rest" in theorem:
         raise NotCheckedError("the count on the whole sheet, as its way past the branch points is that at rest")
-    keys(theorem, {"begin", "end", "reach", "lower", "upper"}, "the theorem")
+    keys(theorem, {"begin", "end", "lower", "upper"}, "the theorem")
     beam = Beam(track, vehicle)
     s, e = dyadic(theorem["begin"]), dyadic(theorem["end"])
     lower, upper = ([Loop(v, beam) for v in listed(theorem[k], 20, "loops")] for k in ("lower", "upper"))
@@ -182,15 +182,13 @@ def count_sheet(track: Track, vehicle: Vehicle, paths: list[Path], theorem: Any,
     need(two or not upper, "loops without a path")
     turned, error = _chain(walks[0], paths[:one], lower, begin, start)
     last = paths[one - 1].points
+    need(all(w == 0 for _, w in last), "a turn leaves the edge")
     if damped:
-        rho = max(u for u, w in last if w == 0)
-        corner = last.index((rho, ZERO))
-        need(all(w == 0 for _, w in last[:corner]), "a turn leaves the edge")
-        need(along(last[corner:], [(rho, ZERO), (rho, -rho), (ZERO, -rho)]), "the turn round the lower half")
-        check_far(beam, dyadic(theorem["reach"]), rho)
+        more, lost = check_far(beam, last[-1][0], walks[0].waves, walks[0].ends[last[-1]])
+        turned, error = turned + more, error + lost
     else:
-        need(not any(map(any, vehicle.C)) and theorem["reach"] is None, "an undamped sheet has no reach, no dampers")
-        need(last[-1] == end and all(w == 0 for _, w in last) and not beam.in_gap(e), "the turn's end")
+        need(not any(map(any, vehicle.C)), "an undamped sheet has no dampers")
+        need(last[-1] == end and not beam.in_gap(e), "the turn's end")
     if two:
         more, lost = _chain(walks[1], paths[one:], upper, begin, start)
         turned, error = turned + more, error + lost

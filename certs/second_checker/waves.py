@@ -168,8 +168,8 @@ class Waves:
         order = sorted(range(self.n), key=lambda k: not upper[k])
         return Thin(last, roots, there), [lines[k] for k in order], at, r
 
-    def receptances(self, thin: Thin, gaps: list[Fraction]) -> dict[Fraction, Ball]:
-        """G at single distances, with amplitudes from the jumps."""
+    def amplitudes(self, thin: Thin) -> list[Ball]:
+        """Of e^{Pξ} in G for each root, from the jumps."""
         D, N = self.balls()
         d = [horner(row, thin.at, ZERO) for row in D]
         top = [horner(row, thin.at, ZERO) for row in N] + [ZERO] * self.n
@@ -184,8 +184,11 @@ class Waves:
         for _ in range(self.n):
             rows.append(row)
             row = [x * y for x, y in zip(row, thin.roots, strict=True)]
-        c = [x[0] for x in solve(rows, [[x] for x in h])]
-        out = {}
+        return [x[0] for x in solve(rows, [[x] for x in h])]
+
+    def receptances(self, thin: Thin, gaps: list[Fraction]) -> dict[Fraction, Ball]:
+        """G at single distances."""
+        c, out = self.amplitudes(thin), {}
         for gap in gaps:
             total, distance = ZERO, ball(gap)
             for amplitude, root, u in zip(c, thin.roots, thin.upper, strict=True):

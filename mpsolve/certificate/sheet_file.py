@@ -19,7 +19,6 @@ _SMALL = 2.0**-8  # of a piece next to a branch point: smaller ones ask for more
 def sheet_certificate(reduced: Reduced, count: SheetCount, roots: Iterable[RootEntry], unstable: int) -> Certificate:
     """The certificate of a count on the whole sheet and of the discs that explain it."""
     unit = reduced.frequency_unit
-    far = None if count.far is None else dyadic(Fraction(count.far.W) * Fraction(2) ** -reduced.guide.length)
     rest = {} if count.rest is None else {"rest": [dyadic(z * unit) for z in count.rest.z]}
     content: dict[str, Any] = {
         "format": FORMAT,
@@ -33,7 +32,6 @@ def sheet_certificate(reduced: Reduced, count: SheetCount, roots: Iterable[RootE
         "theorem": {
             "begin": dyadic(count.begins * unit),
             "end": dyadic(Fraction(count.end) * unit),
-            "reach": far,
             "lower": [_loop(loop, unit) for loop in count.lower.loops],
             "upper": [_loop(loop, unit) for loop in count.upper.loops],
             **rest,

@@ -29,7 +29,7 @@ import flint
 from flint import acb, acb_mat, acb_poly, arb, arb_mat, fmpq, fmpq_mat, fmpq_mpoly_ctx, fmpq_poly
 
 MAX_BYTES, MAX_PIECES, MAX_WORK, MAX_ROOTS, MAX_BOXES = 16_000_000, 20_000, 1e9, 1_000, 20_000
-ARCS, MAX_REST = 24, 400
+PARTS, MAX_REST = 16, 400
 MAX_ROWS, MAX_BODIES, MAX_CONTACTS, MAX_DEGREE, MAX_BITS, MAX_MULTIPLICITY = 5, 192, 64, 24, 70_000, 8
 MAX_TERMS, MAX_SIZE, BOXES = 120, 20_000, 20_000  # with free parameters: of a track, a polynomial; parts of a range
 SMALL, CORNERS = 8, 3  # matrices up to this size are eliminated entry by entry; exact in so many variables
@@ -2530,99 +2530,89 @@ def meeting(track: Track) -> list[tuple[Any, int]]:
     return found
 
 
-def check_far(sheet: Sheet, W: Any, rho: Any) -> None:
-    """No root with |z| ≥ ρ, Im z ≤ 0: masses reflect waves at |λ| ≥ W, τ = c₀λ², as nearly passive points."""
-    t, v, masses = terms(sheet.track.D), sheet.track.v, sheet.lower
-    n, B, sites = len(masses.h), masses.B, masses.sites
-    single = all(
-        sum(B[i, j] != 0 for j in range(n)) == 1 and sum(B[j, i] != 0 for j in range(B.nrows())) == 1
-        for i in range(n)
+def check_far(sheet: Sheet, walker: Walker, rho: Any) -> Any:
+    """How arg Δ̂ changes along the edge from ρ to infinity, and on below it to −i∞; no root is on that edge (8.5)."""
+    t, v, eta, bodies = terms(sheet.track.D), sheet.track.v, sheet.height, sheet.lower
+    n, B, sites, (M, C, K) = len(bodies.h), bodies.B, bodies.sites, bodies.numbers
+    single = B.nrows() == n and all(sum(x != 0 for x in row) == 1 for a in (B, B.transpose()) for row in a.tolist())
+    diagonal = all(i == j or M[i, j] == 0 for i in range(n) for j in range(n))
+    rigid = all(a == a * 0 for a in (C + 2 * eta * M, K - eta**2 * M)) and not any(bodies.h)
+    require(single and diagonal and rigid, "the theorem far out is known for tight masses only")
+    require(rho > eta, "damping is not small far out")
+    EI, m = t[4, 0], t[0, 2]
+    active, c0 = arb(2 * rho * eta / (rho**2 - eta**2)), arb(EI / m).sqrt()
+    steep, pull, top = m * v * v / EI, (t.get((2, 0), fmpq(0)) + m * v * v) / EI, (c0 / arb(rho)).upper() / PARTS
+    parts = [far_waves(steep, pull, t[0, 0] / EI, (top * i).union(top * (i + 1))) for i in range(PARTS)]
+    (low, _, decay), (high, skew, _) = (list(map(end, *parts)) for end in (min_lower, max_bound))
+    require(1 + low > (1 + active * active) * skew, "waves far out are not what they tend to")
+    r = (1 / (1 + low).sqrt()).upper()
+    floor, Z, lost, rest = arb(1), r, arb(0), len(sites) - 1
+    for _ in range(rest):
+        left = 1 - r * Z
+        require(left > 0 and (Z <= 1 or Z > 1), "the masses may reflect more than they get")
+        floor *= left
+        passive = (Z + r) / (1 + r * Z) if Z <= 1 else (1 + (1 - r * r) * (Z * Z - 1) / (left * left)).sqrt()
+        Z = (passive + 2 * active * Z / left).upper()
+    if rest:
+        gap = arb(min(y - x for x, y in pairwise(sites))) * (arb(rho) / c0).sqrt()
+        small, most = r * high.sqrt() * (-decay * gap).exp(), r * (skew.sqrt() + (skew - 1).upper().sqrt())
+        row = (1 + rest * (most + small) * (most + small)).sqrt()
+        lost = len(sites) * arb(rest).sqrt() * small * row**rest / floor
+        require(lost < 1, "evanescent waves may cancel the others far out")
+    masses = [fmpq(0)] * len(sites)
+    for j, place in enumerate(bodies.places):
+        masses[sites.index(at(place, ()))] += sum(M[i, i] / B[i, j] ** 2 for i in range(n) if B[i, j] != 0)
+    return arb(0, lost.upper().asin().upper()) - far_argument(
+        walker.thin(walker.marks[rho, fmpq(0)]), acb(-arb(eta), arb(rho)), list(zip(sites, masses, strict=True))
     )
-    M, C, K = masses.numbers
-    diagonal = B.nrows() == n and all(i == j or M[i, j] == 0 for i in range(n) for j in range(n)) and single
-    at_rest = (C + 2 * sheet.height * M, K - sheet.height**2 * M)
-    rigid = all(a == a * 0 for a in at_rest)
-    require(diagonal and rigid and not any(masses.h), "the theorem far out is known for tight masses only")
-    EI, T, k, m = t[4, 0], t.get((2, 0), fmpq(0)), t[0, 0], t[0, 2]
-    c0 = (arb(EI) / arb(m)).sqrt()
-    require(W > 0 and arb(rho) > c0 * arb(W) ** 2, "the path ends where the theorem does not begin")
-    meet = [abs(z) for square, _ in meeting(sheet.track) for z in [square.sqrt()]]
-    require(all(z < c0 * arb(W) ** 2 for z in meet), "p-roots may meet beyond where the theorem begins")
-    # D(λP̂, c₀λ²)/(EI λ⁴) in P̂ and u = 1/λ
-    c: Free = {
-        (4, 0): arb(1),
-        (1, 1): -2 * arb(v) / c0,
-        (2, 2): arb((T + m * v * v) / EI),
-        (0, 0): arb(1),
-        (0, 4): arb(k / EI),
-    }
-    at_contact, square, skewed, decay, size = far_waves(Sums.of(by_power(c)), 1 / arb(W))
-    half, one = arb(fmpq(1, 2)).sqrt(), arb(1)
-    active = arb(sheet.height) / (c0 * arb(W) ** 2)
-    require(active < 0.5, "damping is not small far out")
-    shift_ = 2 / half * at_contact + 1 / (1 - active) ** 2 - 1
-    require(shift_ < 0.5 and square < 0.5, "waves far out are not what they tend to")
-    change = half * (square + shift_) / (1 - shift_)
-    skew, g = (skewed + 2 * square) / (1 - square), half + change
-    floor, Z = one, g
-    for _ in range(len(sites) - 1):
-        require(g * Z < 1, "the masses may reflect more than they get")
-        floor *= 1 - g * Z
-        lossy = 1 - (3 - arb(5).sqrt()) * (1 - Z * Z) / (2 * half + Z) ** 2
-        ideal = lossy if Z <= 1 else 1 + (Z * Z - 1) / (2 * half - Z) ** 2
-        require(Z <= 1 or Z > 1, "it is open whether the masses reflect more than they get")
-        passive = ideal.sqrt()
-        Z = (passive + (Z * (2 * change + g * skew) + change + passive * Z * change) / (1 - g * Z)).upper()
-    if len(sites) > 1:
-        gap = arb(min(y - x for x, y in pairwise(sites)))
-        coupling, rest = size * 2 / half / (1 - shift_), len(sites) - 1
-        require(decay < half, "evanescent waves are not told far out")
-        lost = coupling * (-arb(W) * (half - decay) * gap).exp()
-        rows_ = (1 + rest * (coupling + lost) ** 2).sqrt() ** rest
-        require(
-            len(sites) * arb(rest).sqrt() * lost * rows_ < floor, "evanescent waves may cancel the others far out"
-        )
 
 
-def far_waves(d: Sums, r: Any) -> list[Any]:
-    """How G(0), the product and sum of the travelling waves, and the evanescent P̂, depart from u = 0; the weights.
-
-    On |u| ≤ r no p-roots meet, so all is analytic there, and bounds on arcs of the circle hold inside; a quarter of
-    it tells the rest by symmetry. The roots are followed from u = 0 on, where P̂⁴ = −1, from disc to disc: those that
-    touch are one.
-    """
-    corner = [acb(fmpq(x, 4)).exp_pi_i() for x in (-3, 3, -1, 1)]
-    before, bounds = [(z, arb(2.0**-30)) for z in corner], [arb(0)] * 5
-    steps = [(r * fmpq(i, 4), r / 7) for i in range(4)]
-    size = r * (2 * arb(fmpq(1, 2 * ARCS)).sin_pi() * 1.001)  # half way to the next one, on the circle
-    arcs = [(r * acb(fmpq(2 * i, ARCS)).exp_pi_i(), size) for i in range(ARCS // 4 + 1)]
-    for i, (middle, e) in enumerate([*steps, *arcs]):
-        center, e = middle.mid(), e.upper() + (middle - middle.mid()).abs_upper()
-        here = Local(Place.disc(center, e), d, Sums.of([{(0,): arb(1)}]))
-        found = apart_near(here, ([x for x, _ in before], 2))
-        now = list(zip(found.z, found.e, strict=True))
-        touch = [[not abs(x - y) > d + f for y, f in before] for x, d in now]
-        require(touch == [[i == j for j in range(4)] for i in range(4)], "p-roots far out are not followed")
-        before = now
-        if i < len(steps):
-            continue
-        waves, weight = residues([found], range(4))
-        weight = weight.scaled([acb(1), acb(1), acb(-1), acb(-1)])
-        one, two, turn = weight.take([0, 1]), weight.take([3, 2]), (corner[3], corner[2])  # U: a, e; L: c, f
-        known = [
-            departs(weight.take([0, 3]) + weight.take([1, 2]), [arb(fmpq(1, 8)).sqrt()] * 2),
-            16 * departs(one * two, [u * u / 16 for u in turn]),
-            4 * departs(one + two, [u / 2 for u in turn]),
-            departs(waves, corner),
-            max_bound(*weight.size),
-        ]
-        bounds = [max_bound(x, y) for x, y in zip(bounds, known, strict=True)]
-    return bounds
+def far_waves(steep: Any, pull: Any, stiff: Any, y: Any) -> tuple[Any, Any, Any]:
+    """|w_e|²/αβ, (α + β)²/4αβ, and the rate of decay over λ, for all y = 1/λ² of a ball (8.5)."""
+    square = arb(4)
+    for _ in range(12):
+        wide = arb(square.mid(), (2 * square.rad() + arb(2) ** -40).upper())
+        step = y * (4 * steep / wide - pull)
+        square = step * step + 4 * (1 - stiff * y * y)
+        require(square > 0, "waves far out are not what they tend to")
+        if wide.contains(square):
+            break
+    else:
+        raise Refused("waves far out are not bounded")
+    s, b = square.sqrt(), 4 * steep * y / square
+    x = b - 2 * pull * y
+    out = (2 * s - x) / (2 * s + x), (s + b) * (s + b) / (square + 2 * b * (b - pull * y)), (2 * s + x).sqrt() / 2
+    fine = 2 * s - x > 0 and 2 * s + x > 0 and all(one.is_finite() for one in out)
+    require(fine, "it is open which waves travel far out")
+    return out
 
 
-def departs(f: Form, values: Sequence[Any]) -> Any:
-    """A bound of |f − value| over the place, for all of the row."""
-    return max_bound(*f.plus([-x for x in values]).size)
+def far_argument(found: Apart, sigma: Any, masses: Sequence[tuple[Any, Any]]) -> Any:
+    """Of (place, mass) at ρ: Arg of σ² and d of each, and of 1 + g⁻z from the last one on."""
+    P, weight = (f.k[0] for f in residues([found], range(len(found.z))))
+    travelling = []
+    for side, sign in zip(found.sides, (1, -1), strict=True):
+        waves = [(P[k], sign * weight[k]) for k in side if not sign * P[k].real < 0]
+        require(len(waves) == 1, "the waves far out are not told apart")
+        travelling += waves
+    (a, ahead), (c, behind) = travelling
+    at_contact = sum((weight[k] for k in found.sides[0]), acb(0))
+    total, arriving, last = arb(0), acb(0), masses[-1][0]
+    for x, mass in reversed(masses):
+        arriving *= ((a - c) * arb(last - x)).exp()
+        d = at_contact + 1 / (arb(mass) * sigma * sigma)
+        factor = 1 + behind / d * arriving
+        total += 2 * sigma.arg() + (-d).arg() - arb.pi() + factor.arg()
+        arriving, last = (arriving * (1 - (ahead + behind) / d) - ahead / d) / factor, x
+    return total
+
+
+def min_lower(*values: Any) -> Any:
+    """A lower bound of all of them, exact."""
+    least = arb(values[0].lower())
+    for x in values[1:]:
+        least = least.min(arb(x.lower()))
+    return least
 
 
 def max_bound(*values: Any) -> Any:
@@ -2636,7 +2626,7 @@ def max_bound(*values: Any) -> Any:
 def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
     """The number of roots on the physical sheet, proved; points are z = q − i height."""
     theorem, values, zero = content["theorem"], content["paths"], fmpq(0)
-    keys(theorem, "begin end reach lower upper", "rest")
+    keys(theorem, "begin end lower upper", "rest")
     begin, end = (dyadic(theorem[name], name) for name in ("begin", "end"))
     loops, above = read_loops(theorem["lower"]), read_loops(theorem["upper"])
     damped, one = sheet.height > 0, 2 + len(loops)
@@ -2669,16 +2659,11 @@ def count_sheet(sheet: Sheet, spent: Walker, content: Any, start: Any) -> int:
         for k, path in enumerate(chain[1:]):
             edge = path.points
             require(edge[0] == at, "a path does not begin where the one before ends")
-            if k == len(rounds) and damped and walker is below:
-                rho = max(x for x, y in edge if y == 0)
-                corner = edge.index((rho, zero))
-                check_far(sheet, dyadic(theorem["reach"], "reach"), rho)
-                check_lines(edge[corner:], [(rho, zero), (rho, -rho), (zero, -rho)])
-                edge = edge[: corner + 1]
-            elif k == len(rounds):
-                require(edge[-1] == (end, zero), "a path does not end where the count closes")
+            far = k == len(rounds) and damped and walker is below
             require(all(y == 0 for _, y in edge), "a path leaves the edge of the cut")
+            require(k < len(rounds) or far or edge[-1][0] == end, "a path does not end where the count closes")
             turned += walker.path(path)
+            turned += check_far(sheet, walker, edge[-1][0]) if far else 0
             if k < len(rounds):
                 require(edge[-1] == rounds[k].points[0], "a path does not end where its loop begins")
                 turned += check_loop(rounds[k], sheet.track, len(sheet.upper.sites), walker)

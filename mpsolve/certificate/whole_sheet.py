@@ -66,5 +66,5 @@ def closing_words(reduced: Reduced, count: SheetCount) -> str:
     if count.far is None:
         return "vehicle and track are lossless, so that pivots tell the argument where the contour ends"
     far = outward(float(reduced.frequency_unit) * count.far.reach, 6, up=True)
-    height = shown(count.line.height * reduced.frequency_unit)
-    return f"a bound of the waves that masses reflect: no root has |q − {height}i| ≥ {far}"
+    known = f"no root lies on the cuts from |Re q| = {far} on, and how the argument turns beyond is known"
+    return f"a bound of the waves that masses reflect: {known}"

@@ -18,8 +18,6 @@ from mpsolve.problem.family import Family
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 
-_NEAR = 6.0  # W of what is looked at where no theorem tells of what is far
-
 
 @dataclass(frozen=True)
 class Reached:
@@ -49,7 +47,7 @@ class AllReached:
 def all_reached(family: Family, digits: int, budget: Effort, progress: Progress) -> AllReached:
     """Over the range of the family and a little more."""
     far = far_reach(family)
-    P, reach = wavenumber_of(family, far or _NEAR)
+    P, reach = wavenumber_of(family, far)
     searches = [Search(family, side, P, digits) for side in (-1, 1)]
     reasons = [_low(search, budget, progress) for search in searches]
     if not any(reasons):

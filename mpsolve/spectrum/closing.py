@@ -133,30 +133,25 @@ def _accretive(reduced: Reduced, sigma: acb, middle: Any) -> list[list[acb]]:
     return out
 
 
-def pivot_sum(reduced: Reduced, up: int, q: float) -> arb:
-    """Σ Arg(pivots of M) at the real q̂ from G in balls, where M is known to be accretive; PrecisionError if open.
-
-    The waves on the edge of a cut are told apart as in `split`.
-    """
-    symbols = Symbols.of(reduced.guide)
+def edge_splitting(reduced: Reduced, up: int, q: float) -> ProvedSplitting:
+    """The p-roots at the real q̂ on the edge of a cut, at the precision that is set, told apart as in `split`."""
     nodes = split(Table.of(reduced.guide.D), np.array([1j * q]), np.zeros(1), up).z[0]
+    symbols, sigma = Symbols.of(reduced.guide), acb(0, q)
+    return ProvedSplitting(symbols, sigma, up, tuple(root_balls(symbols.D, sigma, nodes)), None, False)
+
+
+def pivot_sum(reduced: Reduced, up: int, q: float) -> arb:
+    """Σ Arg(pivots of M) at the real q̂ from G in balls, where M is known to be accretive; PrecisionError if open."""
+    distances = sorted({a - b for a in reduced.places for b in reduced.places})
     for bits in (64, 256, 1024):
         with precision(bits):
-            sigma = acb(0, q)
             try:
-                roots = tuple(root_balls(symbols.D, sigma, nodes))
-                distances = sorted({a - b for a in reduced.places for b in reduced.places})
-                values = ProvedSplitting(symbols, sigma, up, roots, None, False).receptances(distances, False)[0]
+                values = edge_splitting(reduced, up, q).receptances(distances, False)[0]
             except PrecisionError:
                 continue
             G = dict(zip(distances, values, strict=True))
-            total = _pivot_arguments(
-                _accretive(
-                    reduced,
-                    sigma,
-                    {(i, j): G[a - b] for i, a in enumerate(reduced.places) for j, b in enumerate(reduced.places)},
-                )
-            )
+            between = {(i, j): G[a - b] for i, a in enumerate(reduced.places) for j, b in enumerate(reduced.places)}
+            total = _pivot_arguments(_accretive(reduced, acb(0, q), between))
             if total is not None and total.rad() < 0.1:
                 return total
     raise PrecisionError("a root lies on the line of the cuts where the count closes")

@@ -1,7 +1,7 @@
 """How many roots the whole physical sheet of a beam holds, whose cuts lie on one line (SPEC2, the whole sheet).
 
 z = q − iη, scaled. The lower half is counted along the lower edge of the cut: from a point in the gap (or 0, where
-the cuts are joined) below the branch points to ρ, and down and back to −iρ: a theorem leaves no root outside. In the
+the cuts are joined) below the branch points to ρ; a theorem tells how Δ̂ turns beyond, where no root is. In the
 upper half vehicle and track are passive where |z| is large, so that pivots tell the argument at one point, and Δ̂ is
 followed to there. A loop round each branch point shows that no root is next to it; of loads that stand still a
 variable without branch points does (`edge_at_rest`).
@@ -30,7 +30,7 @@ from mpsolve.proof.winding import number_of_zeros
 from mpsolve.spectrum.branch_loops import Loop, edge_points, find_loop
 from mpsolve.spectrum.closing import pivot_sum
 from mpsolve.spectrum.edge_at_rest import Rest, past_branch_points
-from mpsolve.spectrum.far_line import FarLine, prove_far
+from mpsolve.spectrum.far_line import FarLine, prove_far, turn_beyond
 from mpsolve.spectrum.regions import Sheet
 
 _STRIDE = 0.5  # of the phase √z·(span of the places) that a first piece of the edge goes through
@@ -112,9 +112,9 @@ def count_sheet(line: Line, effort: Effort, room: float = ROOM) -> SheetCount:
     rest = _rest(line, effort, room)
     if rest is not None:
         at = float(rest.z[-1])
-        way = _way(line, at, far.reach if far else at, [], far is not None)
+        way = _way(line, at, far.reach if far else at, [])
         along = _proved(below, first, way, [], effort)
-        total = _total(line, first, at, [*along.turns, *rest.turns])
+        total = _total(line, first, at, far, [*along.turns, *rest.turns])
         return SheetCount(line, total, first, at, at, Half(along.paths), Half(), far, effort.spent, rest)
     end = _passive_end(line)
     points = edge_points(line)
@@ -123,9 +123,9 @@ def count_sheet(line: Line, effort: Effort, room: float = ROOM) -> SheetCount:
     round_above = [find_loop(line, above, point, effort) for point in inner] if far and joined else []
     begin = 0.0 if joined else round_below[0].first
     end = max([end, begin, *(loop.last for loop in (round_above if far else round_below))])
-    ways = [_way(line, begin, far.reach if far else end, round_below, far is not None)]
+    ways = [_way(line, begin, far.reach if far else end, round_below)]
     if far and end > begin:
-        ways.append(_way(line, begin, end, round_above, False))
+        ways.append(_way(line, begin, end, round_above))
     rounds = (round_below, round_above)
     proved = [
         _proved(paths, first, way, loops, effort)
@@ -133,7 +133,7 @@ def count_sheet(line: Line, effort: Effort, room: float = ROOM) -> SheetCount:
     ]
     turns = [turn for one in proved for turn in one.turns]
     turns += [loop.half for loops in rounds[: len(proved)] for loop in loops]
-    total = _total(line, first, end, turns)
+    total = _total(line, first, end, far, turns)
     lower = Half(proved[0].paths, tuple(round_below))
     upper = Half(proved[1].paths, tuple(round_above)) if len(proved) > 1 else Half()
     return SheetCount(line, total, first, begin, end, lower, upper, far, effort.spent)
@@ -149,11 +149,11 @@ def _rest(line: Line, effort: Effort, room: float) -> Rest | None:
         return None
 
 
-def _total(line: Line, first: Start, end: float, turns: list[tuple[float, float]]) -> int:
-    """The number of roots from all turns of arg Δ̂, where both halves close at `end`."""
+def _total(line: Line, first: Start, end: float, far: FarLine | None, turns: list[tuple[float, float]]) -> int:
+    """The number of roots from all turns of arg Δ̂; the upper half closes at `end`, without damping both do."""
     with precision(64):
         closing = pivot_sum(line.upper, first.up, end) + (line.upper.bodies - line.upper.contacts) * arb.pi() / 2
-        turned = sum((arb(*turn) for turn in turns), arb(0))
+        turned = sum((arb(*turn) for turn in turns), turn_beyond(line, first.up, far) if far else arb(0))
         return number_of_zeros(
             (closing - turned) / arb.pi() * (1 if line.height else 2), "the characteristic function"
         )
@@ -170,18 +170,13 @@ def _passive_end(line: Line) -> float:
     return e
 
 
-def _way(line: Line, begin: float, end: float, loops: list[Loop], down: bool) -> list[Complexes]:
-    """From begin along the edge to `end`, without what loops go round; down: and on to end − i end and −i end."""
+def _way(line: Line, begin: float, end: float, loops: list[Loop]) -> list[Complexes]:
+    """From begin along the edge to `end`, without what loops go round."""
     ways, at = [], begin
     for loop in loops:
         ways.append(_edge(line, at, loop.first))
         at = loop.last
-    last = [_edge(line, at, end)]
-    if down:
-        steps = np.linspace(0, 1, 9)[1:] ** 2  # finer where waves still run
-        wall = (end - 1j * end * steps).astype(np.complex64).astype(complex)
-        last += [wall, np.linspace(wall[-1], complex(0, -end), 5)[1:]]
-    return [*ways, np.concatenate(last)]
+    return [*ways, _edge(line, at, end)]
 
 
 def _edge(line: Line, a: float, b: float) -> Any:

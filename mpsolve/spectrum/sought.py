@@ -42,9 +42,8 @@ def areas_of(reduced: Reduced, count: Count | SheetCount) -> tuple[Area, ...]:
 
 def _on_sheet(count: SheetCount) -> tuple[Area, ...]:
     """Both sides of the line of the cuts, in sizes that grow."""
-    h, low, high = float(count.line.height), count.far.reach if count.far is not None else count.end, count.end
-    small = max(2 * high, 1.5)
-    sizes = [small, *(x for x in (4 * small, 32 * small) if x < low), *([low] if low > small else [])]
+    h, small = float(count.line.height), max(2 * count.end, 1.5)
+    sizes = [small] if count.far is None else [small, 4 * small, 32 * small, 256 * small]
     below = [Area(0.0, size, h - size, h, h) for size in sizes]
     return tuple(below[:1] + ([] if _none_above(count) else [Area(0.0, small, h, h + small, h)]) + below[1:])
 

@@ -21,15 +21,7 @@ from mpsolve.vehicles import Mass
 
 ROOT = Path(__file__).parents[2]
 CHECKER = ROOT / "certs" / "second_checker" / "check.py"
-QUICK = [
-    "at_rest",
-    "single_mass",
-    "contact_wire",
-    "joined_masses",
-    "kelvin_voigt_pair",
-    "rectangle",
-    "timoshenko_unstable",
-]
+QUICK = ["single_mass", "contact_wire", "joined_masses", "kelvin_voigt_pair", "rectangle", "timoshenko_unstable"]
 BEAM = EulerBernoulli(EI="1/4", m=1, k=1, c="1/10")
 
 
@@ -90,7 +82,7 @@ def test_one_mass_on_a_beam(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_all_of_the_repository() -> None:
-    """All are valid but one of a thousand digits and one of floating ice (SPEC2, 4.8), which are partly checked."""
+    """All are valid but one of a thousand digits, floating ice (SPEC2, 4.8), one sheet at rest (8.9): partly so."""
     spectra = []
     for path in sorted((ROOT / "certs").glob("*.json")):
         content = json.loads(path.read_text())
@@ -98,7 +90,7 @@ def test_all_of_the_repository() -> None:
             spectra.append(path)
     for path in spectra:
         code, (line,) = run(path)
-        known = path.stem not in ("thousand_digits", "floating_ice")
+        known = path.stem not in ("thousand_digits", "floating_ice", "at_rest")
         assert line.startswith("valid" if known else "partly checked"), line
         assert code == (0 if known else 1)
 
@@ -162,7 +154,8 @@ def test_a_false_certificate_is_not_valid(change: Callable[[dict[str, Any]], Non
 
 
 def nearer(c: dict[str, Any]) -> None:
-    c["theorem"]["reach"][1] -= 4
+    x, _, e = c["paths"][-1]["points"][0]
+    c["paths"][-1]["points"][1:] = [[x * 2**20 + 2**10, 0, e - 20]]
 
 
 def once_round(c: dict[str, Any]) -> None:

@@ -32,7 +32,7 @@ def number(pair: list[int]) -> Fraction:
 def test_paths_and_loops_are_one_chain(c: str) -> None:
     made = content(c)
     theorem, paths = made["theorem"], made["paths"]
-    assert (theorem["reach"] is None) is (c == "0")
+    assert all(y == 0 for _, y, _ in paths[-1]["points"])
     assert [path["kind"] for path in paths[:2]] == ["link", "turn"]
     assert paths[0]["points"][-1][1] == 0
     m, _, e = paths[0]["points"][-1]
@@ -51,4 +51,6 @@ def test_it_speaks_in_the_problems_own_units() -> None:
     assert one["equations"] != other["equations"]
     for name in ("begin", "end"):
         assert number(other["theorem"][name]) == 4 * number(one["theorem"][name])
-    assert number(other["theorem"]["reach"]) == 2 * number(one["theorem"]["reach"])  # a wavenumber
+    (m, n, e), (x, y, f) = (made["paths"][-1]["points"][-1] for made in (one, other))
+    assert number([x, f]) == 4 * number([m, e])
+    assert n == y == 0

@@ -1140,18 +1140,6 @@ def test_zeros_in_a_disc_are_counted_with_all_that_is_not_linear():
     assert not zeros_proved((nothing, [[1, 0], [0, 1]], nothing), 1, 1)
 
 
-@pytest.mark.parametrize("W", [4, 20])
-def test_the_discs_on_which_waves_are_bounded_far_out_cover_their_circle(monkeypatch, W):
-    """Half way between two middles too: there the chord is longer than the sine of the angle between them."""
-    discs, disc = [], v2.Place.disc
-    monkeypatch.setattr(v2.Place, "disc", lambda m, r: discs.append((complex(m), float(r))) or disc(m, r))
-    D = {(4, 0): arb(1), (1, 1): arb(-1), (2, 2): arb("0.3"), (0, 0): arb(1), (0, 4): arb(2)}
-    v2.far_waves(v2.Sums.of(v2.by_power(D)), arb(1) / W)
-    middle, size = np.array(discs).T
-    u = np.exp(0.5j * pi * np.linspace(0, 1, 2401)) / W
-    assert (abs(u[:, None] - middle) < size.real).any(1).all()
-
-
 def test_long_polynomials_in_many_parameters_are_not_halved_for_ever(monkeypatch):
     box, looked = tuple((fmpq(0), fmpq(1)) for _ in range(6)), []
     monkeypatch.setattr(v2, "positive", lambda *_: looked.append(0))

@@ -40,7 +40,7 @@ def test_a_damped_beam(v: str, masses: int, count: int, unstable: int) -> None:
     assert (found.status, found.count, found.unstable, found.region) == (Status.PROVED, count, unstable, Sheet())
     assert found.certificate.content["version"] == 2
     assert "on the whole physical sheet" in found.verified
-    assert "no root has |q − 0.05i| ≥" in found.closing
+    assert "no root lies on the cuts from |Re q| =" in found.closing
 
 
 def test_a_loop_much_smaller_than_its_place_is_verified() -> None:
@@ -221,7 +221,19 @@ def _damper(content: dict[str, Any]) -> None:
 
 
 def _shorter(content: dict[str, Any]) -> None:
-    content["paths"][-1]["points"].pop()
+    """The last turn ends next to where it begins."""
+    x, _, e = content["paths"][-1]["points"][0]
+    content["paths"][-1]["points"][1:] = [[x * 2**20 + 2**10, 0, e - 20]]
+
+
+def _shorter_below(content: dict[str, Any]) -> None:
+    lower = 1 + len(content["theorem"]["lower"])
+    content["paths"][lower]["points"] = content["paths"][lower]["points"][:1]
+
+
+def _wall(content: dict[str, Any]) -> None:
+    x, _, e = content["paths"][-1]["points"][-1]
+    content["paths"][-1]["points"].append([x, -x, e])
 
 
 def _not_joined(content: dict[str, Any]) -> None:
@@ -229,8 +241,9 @@ def _not_joined(content: dict[str, Any]) -> None:
 
 
 FORGERIES: dict[str, tuple[str, Callable[[dict[str, Any]], None]]] = {
-    "the theorem begins too soon": ("0.67", _theorem(reach=[1, 0])),
-    "the theorem begins beyond the path": ("0.67", _theorem(reach=[1, 9])),
+    "the theorem begins too soon": ("0.67", _shorter),
+    "the theorem begins between branch points": ("1.2", _shorter_below),
+    "a wall below the line": ("0.67", _wall),
     "a begin beyond the gap": ("0.67", _theorem(begin=[1, -1])),
     "an end that is not passive": ("1.2", _theorem(end=[1, -1])),
     "an end before the begin": ("0.67", _theorem(end=[0, 0])),
@@ -243,7 +256,7 @@ FORGERIES: dict[str, tuple[str, Callable[[dict[str, Any]], None]]] = {
     "a root too few": ("0.67", _less),
     "another mass": ("0.67", _more_mass),
     "a damper": ("0.67", _damper),
-    "a path too short": ("0.67", _shorter),
+    "an upper path too short": ("1.2", lambda content: content["paths"][-1]["points"].pop()),
     "no loop above": ("1.2", lambda content: content["theorem"].update(upper=[])),
     "no path above": ("1.2", lambda content: content.update(paths=content["paths"][:3])),
 }
