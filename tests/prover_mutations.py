@@ -149,26 +149,22 @@ PASSIVITY = [
         "multiply(ni, dr)",
         "layers",
     ),
-    Mutation("the envelope is ten times too low", "passivity.tail", "_envelope", "known * UP", "known * UP / 10"),
+    Mutation("the envelope is ten times too low", "passivity.far", "far_numbers", "C * _MORE", "C / 10"),
     Mutation(
         "V is G without the factor σ", "characteristic.paths", "Paths._evaluate", "positive(sigma * G", "positive(G"
     ),
     Mutation("the Hermitian part is the difference", "proof.definite", "_hermitian", "+ np", "- np"),
     Mutation(
         "the exponent of what is absorbed is off by one",
-        "passivity.absorption",
-        "Absorption.exponent",
-        "tops[1] - tops[0]",
-        "tops[1] - tops[0] - 1",
+        "passivity.far_chart",
+        "FarChart.of",
+        "2 * whole - own - m,",
+        "2 * whole - own - 2 * m,",
     ),
     Mutation(
-        "the blocks are three times as long",
-        "passivity.tail",
-        "_prove",
-        "proved.append((z1, z2, held * kappa))",
-        "proved.append((3 * z1, 3 * z2, held * kappa))",
+        "the blocks are three times as long", "passivity.far", "far_numbers", "(a, b, min(", "(3 * a, 3 * b, min("
     ),
-    Mutation("each block absorbs tenfold", "passivity.tail", "_prove", "held * kappa", "10 * held * kappa"),
+    Mutation("each block absorbs tenfold", "passivity.far", "far_numbers", "kappa * _LESS", "10 * kappa * _LESS"),
 ]
 SPECTRUM = [
     Mutation(

@@ -15,8 +15,8 @@ import numpy as np
 from mpsolve.batch.entries import Entries
 from mpsolve.errors import InputError
 from mpsolve.numbers.arrays import Integers
-from mpsolve.passivity.absorption import Absorption, slowest_short_wave
 from mpsolve.passivity.decay import vanishes
+from mpsolve.passivity.short_waves import slowest_short_wave
 from mpsolve.problem.parameters import changed
 from mpsolve.problem.reduced import Guide, track_guide
 from mpsolve.tracks.at_rest import Status, at_rest
@@ -60,8 +60,8 @@ def premise(track: Track | Waveguide) -> Premise:
     falls = max(j for _, j in guide.N_rest) < max(j for _, j in guide.D_rest)
     passive = bool(passivity(track).passive) and falls
     slow = _slow(track, guide)
-    return Premise(track, "", passive, slow is not None and vanishes(slow.D, slow.N, slow.v),
-                   _slowest_short_wave(guide))  # fmt: skip
+    speed = slowest_short_wave(guide) * 2.0 ** (guide.length - guide.time)
+    return Premise(track, "", passive, slow is not None and vanishes(slow.D, slow.N, slow.v), speed)
 
 
 def _slow(track: Track | Waveguide, guide: Guide) -> Guide | None:
@@ -70,12 +70,6 @@ def _slow(track: Track | Waveguide, guide: Guide) -> Guide | None:
         return track_guide(track, _MOVES * Fraction(2) ** (guide.length - guide.time))
     except InputError:
         return None
-
-
-def _slowest_short_wave(guide: Guide) -> float:
-    """In the track's units; infinite where there is none."""
-    absorption = Absorption.of(guide)
-    return slowest_short_wave(absorption) * 2.0 ** (guide.length - guide.time) if absorption.W else np.inf
 
 
 def premises(entries: Entries) -> tuple[tuple[Premise, ...], Integers]:

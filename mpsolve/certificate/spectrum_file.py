@@ -14,9 +14,11 @@ from typing import Any
 from mpsolve.certificate.format import FORMAT, Certificate, digest
 from mpsolve.errors import CertificateError
 from mpsolve.frozen import frozen
-from mpsolve.passivity.tail import Tail
+from mpsolve.numbers.float64 import short
+from mpsolve.passivity.envelope import OMEGA
+from mpsolve.passivity.far import FarNumbers
 from mpsolve.problem.line import on_line
-from mpsolve.problem.reduced import Reduced
+from mpsolve.problem.reduced import Guide, Reduced
 from mpsolve.spectrum.count import Count, on_its_half
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 
@@ -101,41 +103,32 @@ def _require_reach(region: Below) -> None:
 
 
 def _closing(reduced: Reduced, count: Count) -> dict[str, Any] | None:
-    return _theorem(reduced, count.beyond.tail) if count.beyond is not None else None
+    if count.beyond is None:
+        return None
+    far = count.beyond.tail
+    entry, factor = tail_entry(reduced.guide, reduced.frequency_unit, far)
+    return {**entry, "envelope": dyadic(Fraction(short(far.constant)) * factor)}
 
 
-def _theorem(reduced: Reduced, tail: Tail) -> dict[str, Any]:
-    """The tail theorem in the problem's units: p = p̂/L, q = q̂/T, N/D = 2^n N̂/D̂."""
-    guide = reduced.guide
+def tail_entry(guide: Guide, unit: Fraction, far: FarNumbers) -> tuple[dict[str, Any], Fraction]:
+    """(the tail theorem in the problem's units, the factor of what bounds short waves there).
+
+    p = p̂/L, q = q̂/T, N/D = 2^n N̂/D̂.
+    """
     L, T = guide.length, guide.time
-    order = _exponent(guide.g) + L  # of N/D against N̂/D̂
-
-    def shift(power: Fraction) -> int:
-        return _whole(power, "the scaling of the tail theorem")
-
-    z = Fraction(2) ** shift(T * tail.gamma - L)
-    kappa = Fraction(2) ** shift(order - T * tail.e)
-    envelope = Fraction(2) ** shift(Fraction(order - L * tail.alpha))
-    return {
-        "gamma": [tail.gamma.numerator, tail.gamma.denominator],
-        "blocks": [
-            [dyadic(Fraction(z1) * z), dyadic(Fraction(z2) * z), dyadic(Fraction(k) * kappa)]
-            for z1, z2, k in tail.blocks
-        ],
-        "alpha": tail.alpha,
-        "omega": dyadic(Fraction(tail.omega0) * reduced.frequency_unit),
-        "envelope": dyadic(Fraction(tail.C) * envelope),
-    }
-
-
-def _exponent(x: Fraction) -> int:
-    return x.numerator.bit_length() - x.denominator.bit_length()
-
-
-def _whole(x: Fraction, what: str) -> int:
-    if x.denominator != 1:
-        raise CertificateError(f"{what} is no power of two, so the certificate cannot be written exactly")
-    return int(x)
+    order = guide.g.numerator.bit_length() - guide.g.denominator.bit_length() + L  # of N/D against N̂/D̂
+    powers = (T * far.gamma - L, order - T * far.e, Fraction(order - L * far.alpha))
+    if any(x.denominator != 1 for x in powers):
+        raise CertificateError("the scaling of the tail theorem is no power of two: it cannot be written exactly")
+    z, kappa, envelope = (Fraction(2) ** int(x) for x in powers)
+    entry = {
+        "gamma": [far.gamma.numerator, far.gamma.denominator],
+        "blocks": [[dyadic(Fraction(short(x)) * by) for x, by in zip(one, (z, z, kappa), strict=True)]
+                   for one in far.blocks],
+        "alpha": far.alpha,
+        "omega": dyadic(Fraction(OMEGA) * unit),
+    }  # fmt: skip
+    return entry, envelope
 
 
 def root_entry(root: RootEntry) -> dict[str, Any]:

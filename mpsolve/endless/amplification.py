@@ -16,7 +16,7 @@ from mpsolve.numbers.model import range_from_0
 from mpsolve.numbers.plain import float_beside
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
-from mpsolve.passivity.tail import prove_tail
+from mpsolve.passivity.far import prove_tail
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem

@@ -19,10 +19,11 @@ from mpsolve.characteristic.discs import split
 from mpsolve.endless.boxes import Boxes, covered
 from mpsolve.endless.row import Row
 from mpsolve.errors import PrecisionError
-from mpsolve.passivity.absorption import Absorption, overtakes
-from mpsolve.passivity.beyond import depth_of, first_passive, short
+from mpsolve.numbers.float64 import short
+from mpsolve.passivity.beyond import depth_of, first_passive
 from mpsolve.passivity.decay import vanishes
-from mpsolve.passivity.tail import prove_tail
+from mpsolve.passivity.far import prove_tail
+from mpsolve.passivity.short_waves import overtakes
 from mpsolve.proof.effort import Effort
 
 _RATIO = 0.02  # least eigenvalue of Re V over |V| in floats, where boxes are not too small
@@ -46,7 +47,7 @@ def close(boxes: Boxes, row: Row, effort: Effort) -> Closed:
         raise PrecisionError("the receptance is not proved to vanish at infinity")
     tail = prove_tail(guide, row.gap, effort)
     if tail is None:
-        fast = overtakes(Absorption.of(guide), guide.v)
+        fast = overtakes(guide, guide.v)
         why = "the contacts run faster than short waves of the track" if fast else "the track is damped too little"
         raise PrecisionError(f"no passivity beyond a frequency is found: {why}")
     least = partial(_least, boxes)

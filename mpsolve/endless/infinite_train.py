@@ -14,7 +14,7 @@ from mpsolve.endless.row import Row, row_of
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.numbers.result import Cost, Result
 from mpsolve.outcome import Reason, Status
-from mpsolve.passivity.tail import prove_tail
+from mpsolve.passivity.far import prove_tail
 from mpsolve.problem.cases import Given
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent

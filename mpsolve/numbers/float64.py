@@ -83,6 +83,11 @@ def _log_slope(a: Any, b: Any) -> complex:
         return AT_A_ZERO
 
 
+def short(x: float) -> float:
+    """A float with few digits, so that files are short."""
+    return float(np.float32(x))
+
+
 def distinct(x: Any) -> Any:
     """The different entries of an array, ascending: np.unique, which would load masked arrays with it."""
     ordered = np.sort(np.ravel(x))

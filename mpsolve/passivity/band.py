@@ -15,9 +15,9 @@ from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.decimals import proved_digits
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
-from mpsolve.passivity.absorption import Absorption, overtakes
 from mpsolve.passivity.box import passive_beyond
 from mpsolve.passivity.envelope import Envelope
+from mpsolve.passivity.short_waves import overtakes
 from mpsolve.passivity.subject import Subject
 from mpsolve.problem.problem import Problem, require_problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
@@ -85,7 +85,7 @@ def passivity_band(problem: Problem) -> PassivityBand:
         return PassivityBand(rational_ball(Fraction(0)), 0.0, Status.UNVERIFIED)
     found = passive_beyond(Envelope(Subject.of_reduced(reduced), (), ()))
     if found is None:
-        fast = overtakes(Absorption.of(reduced.guide), reduced.guide.v)
+        fast = overtakes(reduced.guide, reduced.guide.v)
         stated = "the contacts run faster than short waves of the track" if fast else "no frequency is found"
         remedy = "lower the velocity" if fast else "give the track more damping, or the contacts more distance"
         return PassivityBand(None, _least(reduced, 1e3), Status.UNDECIDED, Reason("no-band", stated, {}, remedy))

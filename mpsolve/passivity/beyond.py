@@ -19,10 +19,10 @@ from mpsolve.characteristic.paths import Paths
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.arrays import Reals
-from mpsolve.numbers.float64 import distinct
-from mpsolve.passivity.absorption import Absorption, overtakes
+from mpsolve.numbers.float64 import distinct, short
 from mpsolve.passivity.decay import vanishes
-from mpsolve.passivity.tail import Tail, prove_tail
+from mpsolve.passivity.far import FarNumbers, prove_tail
+from mpsolve.passivity.short_waves import overtakes
 from mpsolve.proof.effort import Effort
 
 _NO_TAIL = {
@@ -38,7 +38,7 @@ class Beyond:
 
     rho: float
     depth: float
-    tail: Tail
+    tail: FarNumbers
     walls: Path
     axis: Path
 
@@ -51,7 +51,7 @@ def plan_beyond(paths: Paths, effort: Effort, least: float = 0.0) -> Beyond | st
         return "the receptance is not proved to vanish at infinity"
     tail = prove_tail(guide, arrays.reduced.smallest_gap, effort)
     if tail is None:
-        return _NO_TAIL[overtakes(Absorption.of(guide), guide.v)]
+        return _NO_TAIL[overtakes(guide, guide.v)]
     reason, passive = "", partial(_least, arrays, paths.up)
     for ratio in (1e-2, 1e-4, 1.0):
         rho = max(first_passive(passive, tail.X, ratio, 1.1), least)
@@ -104,11 +104,6 @@ def _least(arrays: Arrays, up: int, q: Any) -> Reals:
     values = np.linalg.eigvalsh(np.where(good[:, None, None], H, -np.eye(H.shape[1])))
     largest = np.abs(values).max(1)
     return np.where(good & (largest > 0), values[:, 0] / np.where(largest > 0, largest, 1.0), -1.0)
-
-
-def short(x: float) -> float:
-    """A float with few digits, so that files are short."""
-    return float(np.float32(x))
 
 
 def _axis(rho: float, X: float) -> Any:

@@ -16,7 +16,7 @@ from mpsolve.numbers.jets import UP
 from mpsolve.passivity.power import Quotient, Terms, moved, value
 from mpsolve.passivity.subject import Subject
 
-_OMEGA = 4.0  # where the two charts meet
+OMEGA = 4.0  # where the two charts meet
 _MOST = 60000  # boxes that are looked at
 _FEW = 256  # boxes, which are halved twice at once
 _LEAST_POWER, _MOST_POWER = -3, 12  # of 2 in p₀: nothing is said below 2^−3
@@ -100,7 +100,7 @@ def charts(quotient: Quotient, p0: float, v: float) -> tuple[Chart, Chart]:
         (i2 - iw - alpha, odd),
         2,
         copies,
-        ((0.0, 1 / p0 * UP), (0.0, _OMEGA)),
+        ((0.0, 1 / p0 * UP), (0.0, OMEGA)),
         v * UP,
     )
     far = Chart(
@@ -110,7 +110,7 @@ def charts(quotient: Quotient, p0: float, v: float) -> tuple[Chart, Chart]:
         (i2 - iw - alpha, n2 - nw - alpha),
         0,
         copies,
-        ((0.0, v * UP), (0.0, 1 / _OMEGA * UP)),
+        ((0.0, v * UP), (0.0, 1 / OMEGA * UP)),
         1 / p0 * UP,
     )
     return near, far

@@ -1,4 +1,6 @@
-"""−Im G(q) is positive definite for all q ≥ X and all parameters of a box: the tail theorem over a box (SPEC, 6.2).
+"""−Im G(q) is positive definite for all q ≥ X and all parameters of a box, or of one track: the tail theorem.
+
+What the track takes outweighs what it gives: −Im u*Gu = (1/2π)∫ |Σ u_j e^{−ipξ_j}|² W/|D|² dp, W = −Im(N conj D).
 
 At p = z q^γ, Ω = q ω with ω = 1 − v z q^{γ−1}, each part of W and of |D|² is a polynomial in z, ω, τ = q^{−1/m} and
 the parameters, bounded on cells of z over 0 ≤ τ ≤ X^{−1/m}. A large sieve compares what blocks of z take with what
@@ -7,21 +9,23 @@ short waves give.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
-from mpsolve.numbers.affine import Affine
 from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.jets import UP
 from mpsolve.numbers.several import evaluated
 from mpsolve.passivity.decay import edges
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.far_chart import MARGIN, FarChart, given_from
+from mpsolve.passivity.short_waves import overtakes
 from mpsolve.passivity.subject import Subject
+from mpsolve.problem.reduced import Guide
+from mpsolve.proof.effort import Effort
 from mpsolve.tracks.waveguide import Polynomial, moving
 
 _RATIO = 1.25  # of one X to the next that is tried
@@ -30,7 +34,8 @@ _LESS, _MORE = 0.9, 1.1  # of κ and of C in what a checker is told
 _SHARE = 0.7  # of what is taken that must outweigh what is given, so that it does with those numbers
 _FIRST = 2.0**14  # times the least X: how far a box is tried before it is halved
 _DEPTH = 8  # halvings of the box of parameters at most; each part has its own X
-Found = TypeVar("Found")
+_MOST = 2.0**127  # that a short float holds
+_FARTHEST = 1e9
 
 
 def far(envelope: Envelope, least: float = 1.0, most: float = 1e7) -> float | None:
@@ -81,40 +86,45 @@ def _may_be(envelope: Envelope) -> bool:
     return envelope.fastest > 0 and envelope.subject.power.alpha > 1 and (gap is None or gap > 0)
 
 
-def _looked_at(envelope: Envelope) -> tuple[list[Affine], float | None, list[FarChart]]:
-    """The parameters of the box, the least gap, and the charts in which power may be taken."""
-    subject, low, high = envelope.subject, np.array([envelope.low]), np.array([envelope.high])
-    charts = [FarChart.of(subject, gamma) for gamma in slopes(subject, low / 2 + high / 2)]
-    return [f.take(0) for f in subject.parameters(low, high)], least_gap(subject, low, high), charts
+class _Box:
+    """The parameters of a box, the least gap, and the charts in which power may be taken."""
+
+    def __init__(self, envelope: Envelope, effort: Effort | None = None) -> None:
+        subject, low, high = envelope.subject, np.array([envelope.low]), np.array([envelope.high])
+        self.envelope, self.effort, self.alpha = envelope, effort, subject.power.alpha
+        self.parameters = [f.take(0) for f in subject.parameters(low, high)]
+        self.gap = least_gap(subject, low, high)
+        self.charts = [FarChart.of(subject, gamma) for gamma in slopes(subject, low / 2 + high / 2)]
+
+    def enough(self, X: float, share: float) -> Iterator[FarChart]:
+        """The charts in which this share of what is taken from X on is more than what is given."""
+        if self.effort is not None:
+            self.effort.spend(0)
+        given = given_from(self.envelope, X, self.gap)
+        for chart in self.charts if np.isfinite(given) else ():
+            if chart.taken(self.envelope, self.parameters, X, self.gap, self.alpha) * share > given:
+                yield chart
+
+    def first(self, least: float, most: float, share: float) -> float | None:
+        """X = least·ratio^n with n as small as is found by long steps and halving; None where there is none."""
+
+        def holds(n: int) -> bool:
+            return any(True for _ in self.enough(least * _RATIO**n, share))
+
+        low, n = -1, 0
+        while least * _RATIO**n <= most and not holds(n):
+            low, n = n, n + _STEPS
+        if least * _RATIO**n > most:
+            return None
+        while n - low > 1:
+            middle = (n + low) // 2
+            low, n = (low, middle) if holds(middle) else (middle, n)
+        return least * _RATIO**n
 
 
 def _far(envelope: Envelope, least: float, most: float) -> float | None:
     """X for all parameters of the box at once."""
-    parameters, gap, charts = _looked_at(envelope)
-
-    def holds(X: float) -> float | None:
-        given = given_from(envelope, X, gap)
-        taken = (chart.taken(envelope, parameters, X, gap, envelope.subject.power.alpha) for chart in charts)
-        return X if np.isfinite(given) and any(x > given * MARGIN for x in taken) else None
-
-    return _first(least, most, holds)
-
-
-def _first(least: float, most: float, holds: Callable[[float], Found | None]) -> Found | None:
-    """What holds at least·ratio^n with n as small as is found by long steps and halving; None where nothing does."""
-    low, n, found = -1, 0, None
-    while least * _RATIO**n <= most and (found := holds(least * _RATIO**n)) is None:
-        low, n = n, n + _STEPS
-    if found is None:
-        return None
-    while n - low > 1:
-        middle = (n + low) // 2
-        nearer = holds(least * _RATIO**middle)
-        if nearer is None:
-            low = middle
-        else:
-            n, found = middle, nearer
-    return found
+    return _Box(envelope).first(least, most, 1 / MARGIN)
 
 
 @dataclass(frozen=True)
@@ -132,26 +142,48 @@ class FarNumbers:
     constant: float
 
 
-def far_numbers(envelope: Envelope, least: float = 1.0, most: float = 1e7) -> FarNumbers | None:
+def far_numbers(
+    envelope: Envelope, least: float = 1.0, most: float = 1e7, effort: Effort | None = None
+) -> FarNumbers | None:
     """The theorem with numbers from which something is taken off, at the least X found; None where there is none."""
     if not _may_be(envelope):
         return None
-    parameters, gap, charts = _looked_at(envelope)
-    alpha = envelope.subject.power.alpha
-
-    def holds(X: float) -> FarNumbers | None:
-        given = given_from(envelope, X, gap)
-        for chart in charts:
-            if not np.isfinite(given) or not chart.taken(envelope, parameters, X, gap, alpha) * _SHARE > given:
-                continue
-            blocks = chart.blocks(envelope, parameters, X, gap)
-            if chart.of_blocks(blocks, X, gap) * _SHARE > given:
+    box = _Box(envelope, effort)
+    X = box.first(least, most, _SHARE)
+    while X is not None and most >= X:
+        given = given_from(envelope, X, box.gap)
+        for chart in box.enough(X, _SHARE):
+            blocks = chart.blocks(envelope, box.parameters, X, box.gap)  # which take a little less
+            if chart.of_blocks(blocks, X, box.gap) * _SHARE > given:
                 C = float(envelope.constants(np.array([X / envelope.fastest / UP]))[0])
-                less = tuple((a, b, kappa * _LESS) for a, b, kappa in blocks)
-                return FarNumbers(X, chart.gamma, chart.e, alpha, less, C * _MORE)
-        return None
+                less = tuple((a, b, min(kappa * _LESS, _MOST)) for a, b, kappa in blocks)
+                return FarNumbers(X, chart.gamma, chart.e, box.alpha, less, C * _MORE)
+        X *= _RATIO
+    return None
 
-    return _first(least, most, holds)
+
+def prove_tail(guide: Guide, gap: Fraction | None, effort: Effort | None = None) -> FarNumbers | None:
+    """The theorem for one track at one velocity, and contacts no closer than the gap; None where there is none.
+
+    The last answer is kept: one question about several vehicles asks for it again and again. EffortError where the
+    time of `effort` is over.
+    """
+    told = (*(frozenset(p.items()) for p in (guide.D_rest, guide.N_rest)), guide.v, gap)
+    if told not in _KNOWN:
+        subject = Subject.of_guide(guide, [Fraction(0)] if gap is None else [Fraction(0), gap])
+        some = bool(subject.power.w) and bool(guide.v) and not overtakes(guide, guide.v)
+        found = far_numbers(Envelope(subject, (), ()), most=_FARTHEST, effort=effort) if some else None
+        _KNOWN.clear()
+        _KNOWN[told] = found
+    return _KNOWN[told]
+
+
+_KNOWN: dict[Any, FarNumbers | None] = {}
+
+
+def forget_tail() -> None:
+    """The last answer, so that times of questions can be compared."""
+    _KNOWN.clear()
 
 
 def least_gap(subject: Subject, low: Reals, high: Reals) -> float | None:

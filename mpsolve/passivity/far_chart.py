@@ -16,12 +16,12 @@ from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.mesh import cells
 from mpsolve.passivity.power import Terms, value
 from mpsolve.passivity.subject import Subject
-from mpsolve.passivity.taking import best_blocks
 
 _SIDE = 9  # of the mesh
 _FINE = 4  # parts of each cell of the mesh
 _LEVELS = 64  # of what is taken, at most
 _ROUNDED = 2.0**-40  # more than what the ends of a run lose
+_PRICE = 0.03  # of a further block, of all that is absorbed
 MARGIN = 1 + 2.0**-20
 """Of what is taken over what is given: for the rounding of the sums."""
 
@@ -53,6 +53,37 @@ def layered(p: Reals, least: Any, sieve: float) -> float:
     length = (p[last] - p[first]) * (1 - _ROUNDED) - sieve - _ROUNDED * (np.abs(p[last]) + np.abs(p[first]))
     steps = np.diff(levels, prepend=0.0)
     return float((np.maximum(length, 0.0) * steps[rows]).sum())
+
+
+def best_blocks(z: Reals, least: Reals, growth: float, sieve: float) -> tuple[tuple[float, float, float], ...]:
+    """Disjoint runs of cells between the ends z, with the least value on each, that take most; few of them.
+
+    What a run takes: (length·growth − sieve)·least value.
+    """
+    used = np.flatnonzero(least > 0)
+    if not len(used):
+        return ()
+    z, least = z[used[0] : used[-1] + 2], least[used[0] : used[-1] + 1]
+    n = len(z)
+    later = np.arange(n - 1) >= np.arange(n - 1)[:, None]
+    kappa = np.zeros((n, n))
+    kappa[:-1, 1:] = np.where(later, np.minimum.accumulate(np.where(later, least, np.inf), axis=1), 0.0)
+    value = np.maximum((z[None, :] - z[:, None]) * growth - sieve, 0.0) * kappa
+    price = 0.0
+    for _ in range(2):
+        best, before, gain = np.zeros(n), np.full(n, -1), np.maximum(value - price, 0.0).T.copy()
+        for j in range(1, n):
+            sums = best[:j] + gain[j, :j]
+            before[j] = k = sums.argmax()
+            best[j] = sums[k]
+        price = _PRICE * float(best[-1])  # of a block, so that few are taken
+    blocks, j = [], n - 1
+    while j > 0:
+        i = int(before[j])
+        if value[i, j] > price:
+            blocks.append((float(z[i]), float(z[j]), float(kappa[i, j])))
+        j = i
+    return tuple(reversed(blocks))
 
 
 @dataclass(frozen=True)
@@ -93,6 +124,8 @@ class FarChart:
             return 0.0
         growth, sieve = self._scales(X, gap)
         z = self._ends(envelope, X, growth)
+        if (z[-1] - z[0]) * growth < sieve:
+            return 0.0
         total = layered(z * growth, self._least(envelope, parameters, z, X), sieve)
         return float(total * X ** -float(self.e) / MARGIN)
 
@@ -109,7 +142,7 @@ class FarChart:
         growth, sieve = self._scales(X, gap)
         z = self._ends(envelope, X, growth)
         least = self._least(envelope, parameters, z, X)
-        return best_blocks(z, np.full(len(z), np.inf), least, growth, sieve)
+        return best_blocks(z, least, growth, sieve)
 
     def _scales(self, X: float, gap: float | None) -> tuple[float, float]:
         return X ** float(self.gamma), 2 * np.pi / gap if gap is not None else 0.0

@@ -47,8 +47,12 @@ def wavenumbers(subject: Subject, q: Any, v: Reals, x: Reals) -> Any:
     for (i, j), c in carried(turned, v).items():
         D[:, i] += c * q**j
     used = np.flatnonzero(np.abs(D).max(0) > 0)
-    D = D[:, : used[-1] + 1]
+    D, powers = D[:, : used[-1] + 1], np.arange(used[-1] + 1)
+    with np.errstate(all="ignore"):  # in units of about the least root, so that no coefficient is lost beside others
+        unit = np.nanmin((np.abs(D[:, :1] / D[:, 1:])) ** (1 / powers[1:]), axis=1, initial=np.inf)
+    unit = np.where(np.isfinite(unit) & (unit > 0), unit, 1.0)[:, None]
+    D = D * unit**powers
     least = 1e-12 * np.abs(D).max(1)
     D[:, -1] = np.where(np.abs(D[:, -1]) > least, D[:, -1], least)
     C = companions(D)
-    return np.linalg.eigvals(np.where(np.isfinite(C), C, 0))
+    return np.linalg.eigvals(np.where(np.isfinite(C), C, 0)) * unit

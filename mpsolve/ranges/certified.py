@@ -24,7 +24,7 @@ from mpsolve.problem.free_equations import FreeEquations, free_equations
 from mpsolve.proof.sheared import SLOPED
 from mpsolve.proof.subdivide import OPEN, Tree
 from mpsolve.ranges.enclosed import Crossing
-from mpsolve.ranges.far_entry import beyond, tail_entry
+from mpsolve.ranges.far_entry import beyond, far_entry
 from mpsolve.ranges.judge import ABSORBING, ARC, KNOWN, NONZERO, OUTSIDE, PASSIVE
 from mpsolve.ranges.scope import Scope
 
@@ -96,7 +96,7 @@ def _certificate(
         "basis": basis_entry(family.base),
         "range": [[str(a), str(b)] for a, b in family.over.values()],
         "base": entries if chart else entries[0],
-        "tail": tail_entry(scope, far, Q),
+        "tail": far_entry(scope, far, Q),
         "X": dyadic(X),
         "beyond": [dyadic(x) for x in beyond(X, Q)],
         "tree": tree_text(tree, family.frequency_unit / family.units[0]),

@@ -19,11 +19,10 @@ from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.model import shown
 from mpsolve.numbers.plain import float_beside
 from mpsolve.outcome import Reason
-from mpsolve.passivity import tail
-from mpsolve.passivity.absorption import Absorption, overtakes
 from mpsolve.passivity.box import passive_beyond
 from mpsolve.passivity.envelope import Envelope
-from mpsolve.passivity.far import far
+from mpsolve.passivity.far import far, forget_tail
+from mpsolve.passivity.short_waves import overtakes
 from mpsolve.passivity.subject import Subject
 from mpsolve.problem.cases import Given, as_problem, value_at
 from mpsolve.problem.family import Family, Interval, family_of, require_ends
@@ -65,7 +64,7 @@ _KNOWN: dict[Any, float | None] = {}
 def forget() -> None:
     """What was found for earlier questions, so that times of questions can be compared."""
     _KNOWN.clear()
-    tail.forget()
+    forget_tail()
 
 
 class OpenError(PrecisionError):
@@ -126,7 +125,7 @@ class Scope:
             _KNOWN[key] = self._found()
         found = _KNOWN[key]
         if found is None:
-            fast = overtakes(Absorption.of(self.family.base.guide), Fraction(self.envelope.fastest))
+            fast = overtakes(self.family.base.guide, self.envelope.fastest)
             raise OpenError(Reason("passivity", *_NO_END[fast]))
         return found
 
@@ -148,15 +147,8 @@ class Scope:
         # cells of frequencies are not halved: boxes do it where it is needed, and a checker has less to follow
         if one:
             return far(self.envelope)
-        found = passive_beyond(self.envelope, ceiling=self._ceiling, halvings=0)
+        found = passive_beyond(self.envelope, halvings=0)
         return None if found is None else float(found.X)
-
-    @property
-    def _ceiling(self) -> float | None:
-        """Where one track at one velocity is asked about, the theorem of its spectra, which are counted later on."""
-        base = self.family.base
-        known = tail.prove_tail(base.guide, base.smallest_gap) if not any(self.family.felt) else None
-        return None if known is None else known.X
 
     def judge(self, kind: type[Judge] = Judge, **more: Any) -> Judge:
         """A judge of boxes in (q̂, x̂) over the whole; more: of its kind."""

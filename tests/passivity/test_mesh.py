@@ -32,3 +32,11 @@ def test_wavenumbers(name: str) -> None:
     theirs = Receptance(reduced.guide).roots(1j * q) / 1j
     for a, b in zip(mine, theirs, strict=True):
         assert np.sort(np.abs(a)) == pytest.approx(np.sort(np.abs(b)), rel=1e-8)
+
+
+def test_wavenumbers_far_out_are_those_of_the_rail_alone() -> None:
+    """EI p⁴ = m q²: at q = 10⁸ no coefficient may be lost beside q²."""
+    reduced, envelope = reduced_and_envelope("rail", 1)
+    guide, q = reduced.guide, 1e8
+    found = wavenumbers(envelope.subject, np.array([q]), np.array([float(guide.v)]), np.zeros((1, 0)))
+    assert np.abs(found) == pytest.approx((q * q * float(guide.D_rest[0, 2] / guide.D_rest[4, 0])) ** 0.25, rel=1e-3)

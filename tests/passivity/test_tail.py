@@ -1,8 +1,7 @@
-"""Beyond X the receptance matrix is passive: against residue sums, and each bound against sampled values."""
+"""The tail theorem of one track: beyond X its matrix is passive by residue sums, and each bound holds."""
 
 from __future__ import annotations
 
-from dataclasses import replace
 from fractions import Fraction
 from time import process_time
 from typing import Any
@@ -14,8 +13,7 @@ from oracle_general import Floats
 from oracle_general.package import as_problem
 
 from mpsolve.errors import EffortError
-from mpsolve.passivity.absorption import Absorption
-from mpsolve.passivity.tail import Tail, _envelope, block_holds, outweighs, prove_tail
+from mpsolve.passivity.far import FarNumbers, prove_tail
 from mpsolve.presets.written import problem_of
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import reduce_problem
@@ -42,11 +40,11 @@ def plain(name: str, gap: str = "2.5", count: int = 2) -> dict[str, Any]:
     return {"track": track, "v": v, "vehicles": [{"model": "mass", "M": "900", "at": x} for x in places]}
 
 
-def proved(name: str, gap: str = "2.5") -> tuple[Any, Absorption, Tail]:
+def proved(name: str, gap: str = "2.5") -> tuple[Any, FarNumbers]:
     reduced = reduce_problem(as_problem(plain(name, gap)))
     tail = prove_tail(reduced.guide, reduced.smallest_gap)
     assert tail is not None
-    return reduced, Absorption.of(reduced.guide), tail
+    return reduced, tail
 
 
 SLAB = {"model": "slab", "EI": "4.91e6", "m": "54.77", "k_pad": "6e7", "c_pad": "15384", "EI_slab": "88.4e6",
@@ -66,7 +64,7 @@ def test_a_block_keeps_away_from_two_waves_that_are_nearly_one() -> None:
 
 @pytest.mark.parametrize("name", TRACKS)
 def test_the_matrix_is_passive_beyond(name: str) -> None:
-    reduced, _, tail = proved(name)
+    reduced, tail = proved(name)
     unit = float(reduced.frequency_unit)
     for count in (2, 3):
         floats = Floats(plain(name, count=count))
@@ -81,7 +79,7 @@ def test_the_matrix_is_passive_beyond(name: str) -> None:
 
 @pytest.mark.parametrize("name", TRACKS)
 def test_each_bound_holds_where_it_is_sampled(name: str) -> None:
-    reduced, _, tail = proved(name)
+    reduced, tail = proved(name)
     guide, v = reduced.guide, reduced.guide.v
 
     def power(p: Fraction, omega: Fraction) -> Fraction:
@@ -99,7 +97,7 @@ def test_each_bound_holds_where_it_is_sampled(name: str) -> None:
     for k in range(400):
         p = Fraction(tail.X / float(v) * 10 ** rng.uniform(0, 2))
         omega = -v * p * Fraction(rng.uniform() if k % 2 else 10 ** rng.uniform(-6, 0))
-        assert abs(float(power(p, omega))) < tail.C * float(p) ** -tail.alpha * (1 + 1e-9)
+        assert abs(float(power(p, omega))) < tail.constant * float(p) ** -tail.alpha * (1 + 1e-9)
 
 
 def parts(polynomial: Any, p: Fraction, omega: Fraction) -> tuple[Fraction, Fraction]:
@@ -112,37 +110,8 @@ def parts(polynomial: Any, p: Fraction, omega: Fraction) -> tuple[Fraction, Frac
 
 def test_the_frequency_is_not_far() -> None:
     limits = {"euler-bernoulli": 2, "kelvin-voigt": 8, "string": 30, "timoshenko": 2, "two-layer": 2}
-    found = {name: proved(name, "20" if name == "string" else "2.5")[2].X for name in limits}
+    found = {name: proved(name, "20" if name == "string" else "2.5")[1].X for name in limits}
     assert all(found[name] <= limit for name, limit in limits.items()), found
-
-
-@pytest.mark.parametrize("name", ["euler-bernoulli", "string"])
-def test_a_bound_that_is_too_good_is_not_proved(name: str) -> None:
-    reduced, absorption, tail = proved(name)
-    v, gap = reduced.guide.v, reduced.smallest_gap
-    assert outweighs(tail, v, gap)
-    assert block_holds(absorption, v, tail, Effort())
-    dear = replace(tail, blocks=tuple((a, b, 3 * kappa) for a, b, kappa in tail.blocks))
-    assert not block_holds(absorption, v, dear, Effort())
-    far = 1.01 / float(v) * tail.X ** float(1 - tail.gamma)
-    assert not block_holds(absorption, v, replace(tail, blocks=((tail.blocks[0][0], far, 1e-30),)), Effort())
-    assert not block_holds(absorption, v, replace(tail, e=tail.e + 1), Effort())
-    assert not outweighs(replace(tail, C=1e6 * tail.C), v, gap)
-    assert not outweighs(replace(tail, alpha=1), v, gap)
-    assert not outweighs(replace(tail, e=tail.e + 9), v, gap)
-    assert not outweighs(replace(tail, gamma=-tail.gamma, e=Fraction(0)), v, gap)
-    a, b, kappa = tail.blocks[0]
-    assert not outweighs(replace(tail, blocks=((a, b, kappa), ((a + b) / 2, b + 1, kappa))), v, gap)
-    short = 6.2 / float(gap or 1) / tail.X ** float(tail.gamma)
-    assert not outweighs(replace(tail, blocks=tuple((a, a + short, 1e9) for a, _, _ in tail.blocks)), v, gap)
-
-
-def test_the_envelope_is_near_what_is_given() -> None:
-    for name in ("euler-bernoulli", "timoshenko", "ballast damped lightly"):
-        reduced, absorption, tail = proved(name)
-        C = _envelope(absorption, reduced.guide.v, tail, Effort())
-        assert C is not None
-        assert C < tail.C < 2 * C
 
 
 @pytest.mark.parametrize(("name", "v"), [("string", "170"), ("timoshenko", "2100")])
@@ -152,14 +121,14 @@ def test_faster_than_waves_there_is_none(name: str, v: str) -> None:
 
 
 def test_the_last_theorem_is_kept_for_its_own_track_alone() -> None:
-    first = proved("euler-bernoulli")[2]
-    assert proved("euler-bernoulli")[2] is first
-    assert proved("euler-bernoulli", "1.25")[2] != first
-    assert proved("euler-bernoulli")[2] == first
+    first = proved("euler-bernoulli")[1]
+    assert proved("euler-bernoulli")[1] is first
+    assert proved("euler-bernoulli", "1.25")[1] != first
+    assert proved("euler-bernoulli")[1] == first
 
 
 def test_the_search_ends_with_its_effort() -> None:
-    """Four fields: the whole search takes a quarter of a minute."""
+    """Four fields: the whole search takes some seconds."""
     p, omega = sympy.symbols("p Omega")
     rows = [
         [p**4 / 4 + p**2 + 1 - 3 * omega**2, 0, -sympy.I * p**3 / 9, p**4 / 5],
@@ -170,8 +139,8 @@ def test_the_search_ends_with_its_effort() -> None:
     reduced = reduce_problem(Problem(Waveguide(rows, loaded=1), [Mass(1).at(0), Mass(1).at(1)], v=6))
     started = process_time()
     with pytest.raises(EffortError):
-        prove_tail(reduced.guide, reduced.smallest_gap, Effort(seconds=0.5))
-    assert process_time() - started < 8
+        prove_tail(reduced.guide, reduced.smallest_gap, Effort(seconds=0.1))
+    assert process_time() - started < 4
 
 
 def test_absurd_velocities_are_planned_without_a_warning() -> None:

@@ -12,7 +12,7 @@ from free_cases import BEAM, PAIR
 from mpsolve import Problem, tracks
 from mpsolve.errors import CertificateError
 from mpsolve.passivity.far import far_numbers
-from mpsolve.ranges.far_entry import beyond, tail_entry
+from mpsolve.ranges.far_entry import beyond, far_entry
 from mpsolve.ranges.scope import Scope, checked_over, scope_of
 
 
@@ -33,7 +33,7 @@ def test_bounds_of_short_waves_hold(scope: Scope) -> None:
     """|W|/|D|² ≤ Cp^−α for p ≥ p₀, 0 ≤ −Ω ≤ vp (SPEC2 6.2); of D = p⁴/4 + 1 − Ω² + icΩ, W = cΩ."""
     far = far_numbers(scope.envelope)
     assert far is not None
-    entry = tail_entry(scope, far, Fraction(100))
+    entry = far_entry(scope, far, Fraction(100))
     assert entry["Q"] == [25, 2]
     alpha = entry["alpha"]
     for (m, e), (n, f) in entry["bounds"]:
@@ -50,4 +50,4 @@ def test_a_scaling_that_is_no_power_of_two_is_refused() -> None:
     far = far_numbers(scope.envelope)
     assert far is not None
     with pytest.raises(CertificateError, match="power of two"):
-        tail_entry(scope, replace(far, gamma=far.gamma + Fraction(1, 3)), Fraction(100))
+        far_entry(scope, replace(far, gamma=far.gamma + Fraction(1, 3)), Fraction(100))
