@@ -141,6 +141,9 @@ def contact_card(parts: Parts) -> Card:
     event = motion.lift_off
     loads = "the weight of the vehicle" if parts.loads is None else "the load of the file"
     start = f"{loads} is put at once on a smooth rail and round wheels"
+    if event is None and motion.unjudged:
+        said = "No constant force presses some contact, so whether it is kept cannot be judged."
+        return Card(question, "not judged", said, "open")
     if event is None:
         said = f"Not within {speak.time(float(motion.times[-1]))}{_why_so_long(parts)} after {start}."
         return Card(
