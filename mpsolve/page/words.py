@@ -127,7 +127,8 @@ def growth_card(parts: Parts) -> Card | None:
             said = f"The vibration at {speak.frequency(root.frequency)} doubles in this time, and doubles again."
             return Card("How fast does it grow?", f"doubles in {speak.span(root.doubling_time)}", said, status)
         if root.growth < 0:
-            said = f"The vibration that lasts longest, at {speak.frequency(root.frequency)}, halves in this time."
+            where = speak.frequency(root.frequency)
+            said = f"Of the vibrations in the table the one at {where} lasts longest: it halves in this time."
             return Card("How fast does it calm down?", f"halves in {speak.span(root.doubling_time)}", said, status)
     return None
 

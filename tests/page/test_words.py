@@ -64,6 +64,9 @@ def test_growth_doubles_in_a_time() -> None:
     assert card is not None
     assert card.figure.startswith("doubles in")
     assert card.status == "proved"
+    calm = growth_card(parts(PAIR.changed("v", 100), spectrum=certify(PAIR.changed("v", 100), region=("below", 5))))
+    assert calm is not None
+    assert calm.sentence.startswith("Of the vibrations in the table the one at")  # others decay faster, or are beyond
 
 
 def test_lift_off_and_late() -> None:
