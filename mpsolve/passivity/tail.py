@@ -130,11 +130,13 @@ def _plan(
 
 def _prove(absorption: Absorption, v: Fraction, gap: Fraction | None, plan: Tail, effort: Effort) -> Tail | None:
     """The plan with those of its blocks, or of their halves, that are proved, if they outweigh."""
-    length = 2 * np.pi / float(gap) / plan.X ** float(plan.gamma) if gap is not None else 0.0
+    length = UP * 2 * np.pi / float(gap) / plan.X ** float(plan.gamma) if gap is not None else 0.0
     proved: list[tuple[float, float, float]] = []
     waiting = [(block, 0) for block in plan.blocks]
     while waiting:
         (z1, z2, kappa), depth = waiting.pop()
+        if z2 - z1 <= length:  # it absorbs, but how much is not known
+            continue
         tried = ((x, _with(plan, z1, z2, x * kappa / 0.9)) for x in _SHARES)
         held = next((x for x, tail in tried if block_holds(absorption, v, tail, effort)), None)
         if held is not None:
