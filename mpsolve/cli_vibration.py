@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from mpsolve.vibration.case_motion import Response
     from mpsolve.vibration.case_units import Scale
     from mpsolve.vibration.forcing import Irregularity
+    from mpsolve.vibration.liftoff import Event
     from mpsolve.vibration.motion import Vibration
 
     Rough = tuple[Irregularity, ...] | None
@@ -134,35 +135,34 @@ def _summary(found: Vibration) -> list[str]:
     ]
     for part in found.induced:
         grows = "grows" if part.q.imag < 0 else "decays"
-        lines.append(
-            f"induced frequency {abs(part.q.real) / 6.283185307179586:.6g} Hz {grows} at {abs(part.q.imag):.6g} 1/s: "
-            f"amplitude {abs(part.rail[0]):.6g} m at x = {found.places[0]:g} m"
-        )
-    event = found.lift_off
-    if event is None:
-        lines.append(f"contact is kept up to {known:.6g} s.")
-    else:
-        lines.append(
-            f"contact {event.contact} lifts off at t = {event.time:.8g} s (± {event.tolerance:.1e}): what comes "
-            "later is beyond the model."
-        )
-    return lines
+        size = f"amplitude {abs(part.rail[0]):.6g} m at x = {found.places[0]:g} m"
+        hertz = f"{abs(part.q.real) / 6.283185307179586:.6g} Hz {grows} at {abs(part.q.imag):.6g} 1/s"
+        lines.append(f"induced frequency {hertz}: {size}")
+    lines += [f"contact {j}: no constant force presses it, so it cannot be judged." for j in found.unjudged]
+    counts = len(found.unjudged), len(found.contact_force)
+    return lines + _contact(found.lift_off, "contact", ("t", 1.0, " s"), counts, f" up to {known:.6g} s")
 
 
 def _case_summary(found: Response, scale: Scale) -> list[str]:
     lines = [f"units: {scale.said}.", f"estimated error {found.error:.1e} of the size of the parts (float64)."]
     for pair in found.harmonic_pairs:
-        size = abs(pair.amplitude[0]) * scale.length
-        lines.append(
-            f"induced frequency {pair.q:.8g}: amplitude {size:.8g} {scale.length_unit} at ξ = {found.xi[0]:g}"
-        )
+        size = f"{abs(pair.amplitude[0]) * scale.length:.8g} {scale.length_unit} at ξ = {found.xi[0]:g}"
+        lines.append(f"induced frequency {pair.q:.8g}: amplitude {size}")
     lines += [f"mass {j}: {note}." for j, note in enumerate(found.contact_note, 1) if note and "before" not in note]
-    event = found.lift_off
-    if event is None:
-        return [*lines, "contact is kept."]
-    at = f"t = {event.time * scale.time:.8g} s" if scale.physical else f"τ = {event.time:.8g}"
-    off = f"(± {event.tolerance * scale.time:.1e})"
-    return [*lines, f"mass {event.contact} lifts off at {at} {off}: what comes later is beyond the model."]
+    counts = sum("judged" in note for note in found.contact_note), len(found.contact_note)
+    unit = ("t", scale.time, " s") if scale.physical else ("τ", 1.0, "")
+    return lines + _contact(found.lift_off, "mass", unit, counts)
+
+
+def _contact(
+    event: Event | None, who: str, unit: tuple[str, float, str], counts: tuple[int, int], until: str = ""
+) -> list[str]:
+    """Whether contact is kept; unit: of time; counts: of contacts that cannot be judged, of all."""
+    if event is not None:
+        at = f"{unit[0]} = {event.time * unit[1]:.8g}{unit[2]} (± {event.tolerance * unit[1]:.1e})"
+        return [f"{who} {event.contact} lifts off at {at}: what comes later is beyond the model."]
+    which = "the other contacts are" if counts[0] else "contact is"
+    return [f"{which} kept{until}."] if counts[0] < counts[1] else []
 
 
 Finite = Callable[[], tuple[Any, str]]
@@ -243,7 +243,7 @@ def _compared(
             notes.append(f"{other}: left out, {error}")
     unit, one = ("m", 1.0) if scale is None else (scale.length_unit, scale.length)
     apart = {key: abs(row - curves["complete"])[whole.within].max() * one for key, row in curves.items()}
-    told = [f"{key}: differs from the complete solution by at most {off:.6g} {unit} while contact is kept"
-            for key, off in list(apart.items())[1:]]  # fmt: skip
+    ends = f"{unit} at these times, while contact is kept"
+    told = [f"{key}: differs from the complete solution by at most {apart[key]:.6g} {ends}" for key in [*apart][1:]]
     drawn = partial(save_comparison, whole, curves, scale=scale)
     return Shown([*told, *notes, *said], partial(comparison, whole, curves, scale), drawn)

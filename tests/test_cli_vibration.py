@@ -150,3 +150,30 @@ def test_an_effort_is_kept_and_what_is_known_is_written(tmp_path: Path, monkeypa
     assert 50 <= len(columns["t"]) < 401
     assert {len(values) for values in columns.values()} == {len(columns["t"])}
     assert f"contact is kept up to {columns['t'][-1]:.6g} s." in part.output
+
+
+UNPRESSED = """
+v = 30
+track = {model = "euler-bernoulli", EI = 6.4e6, m = 60, k = 1e7, c = 5e4}
+vehicle = [{model = "mass", M = 900}, {model = "mass", M = 900, position = 3}]
+load = [{constant = FIRST, amplitude = 1000, frequency = 100}, {constant = 9000}]
+"""
+
+
+@pytest.mark.parametrize("first", ["-9000", "0"])
+def test_a_contact_that_nothing_presses_is_not_said_to_be_kept(tmp_path: Path, first: str) -> None:
+    """Its force is tension, at rest or in turns: "contact is kept" would be wrong, and a lift-off means nothing."""
+    source, table = tmp_path / "in.toml", tmp_path / "out.csv"
+    source.write_text(UNPRESSED.replace("FIRST", first), "utf-8")
+    result = run("response", source, "-o", table, "--to", "0.5 s", "--points", "101")
+    assert result.exit_code == 0, result.output
+    assert min(float(row["contact force 1 [N]"]) for row in rows_of(table)) < -500
+    assert (
+        "contact 1: no constant force presses it, so it cannot be judged.\nthe other contacts are kept up to 0.5 s."
+        in (result.output)
+    )
+    assert "contact is kept" not in result.output
+    source.write_text(UNPRESSED.replace("FIRST", first).replace("9000}]", "0}]"), "utf-8")
+    result = run("response", source, "-o", table, "--to", "0.5 s", "--points", "11")
+    assert "contact 2: no constant force" in result.output
+    assert " kept" not in result.output

@@ -58,18 +58,16 @@ class InfiniteTrain(Result):
 
     @property
     def words(self) -> str:
-        """What it means for finite trains, in one sentence; the part about them is computed, not proved."""
+        """What it means for finite trains, in one sentence, which says what of it is computed, not proved."""
         if self.stable is None:
             return f"undecided: {self.reason}"
         if self.stable:
             return "no motion grows: what is shaken dies out along the train in both directions"
         if not self.long_trains:
             way = "back" if self.back.factor > self.ahead.factor else "ahead"
-            return (
-                f"a disturbance grows as it runs {way} from vehicle to vehicle, "
-                "though long finite trains come to rest again"
-            )
-        return "long finite trains grow by themselves"
+            rest = "and long finite trains come to rest again"
+            return f"a motion grows; as computed, it grows as it runs {way} from vehicle to vehicle, {rest}"
+        return "a motion grows; as computed, long finite trains grow by themselves"
 
 
 @stoppable

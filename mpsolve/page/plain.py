@@ -34,12 +34,13 @@ def plain(parts: Parts) -> str:
         if region.reach is None or not speech(parts).si
         else f" below {rounded(float(region.reach) / (2 * pi), 2)} Hz"
     )
+    felt = " that a contact feels" if spectrum.unfelt else ""
     if not number:
-        return f"No vibration decays more slowly than {rate}{end}, and none grows."
-    many = "1 vibration decays" if number == 1 else f"{number} vibrations decay"
+        return f"No vibration{felt} decays more slowly than {rate}{end}, and none grows."
+    many = f"1 vibration{felt} decays" if number == 1 else f"{number} vibrations{felt} decay"
     told = f"{many} more slowly than {rate}{end}"
     if spectrum.unstable:
-        kind = "vibration grows, or decays" if number == 1 else "vibrations grow, or decay"
+        kind = f"vibration{felt} grows, or decays" if number == 1 else f"vibrations{felt} grow, or decay"
         told = f"{number} {kind} more slowly than {rate}{end}"
     return f"{told}, and all of them are in the table; {grows}."
 

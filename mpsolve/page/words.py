@@ -127,7 +127,8 @@ def growth_card(parts: Parts) -> Card | None:
             said = f"The vibration at {speak.frequency(root.frequency)} doubles in this time, and doubles again."
             return Card("How fast does it grow?", f"doubles in {speak.span(root.doubling_time)}", said, status)
         if root.growth < 0:
-            said = f"The vibration that lasts longest, at {speak.frequency(root.frequency)}, halves in this time."
+            where = speak.frequency(root.frequency)
+            said = f"Of the vibrations in the table the one at {where} lasts longest: it halves in this time."
             return Card("How fast does it calm down?", f"halves in {speak.span(root.doubling_time)}", said, status)
     return None
 
@@ -141,6 +142,9 @@ def contact_card(parts: Parts) -> Card:
     event = motion.lift_off
     loads = "the weight of the vehicle" if parts.loads is None else "the load of the file"
     start = f"{loads} is put at once on a smooth rail and round wheels"
+    if event is None and motion.unjudged:
+        said = "No constant force presses some contact, so whether it is kept cannot be judged."
+        return Card(question, "not judged", said, "open")
     if event is None:
         said = f"Not within {speak.time(float(motion.times[-1]))}{_why_so_long(parts)} after {start}."
         return Card(

@@ -11,6 +11,7 @@ from mpsolve.numbers.spoken import rounded, spoken
 from mpsolve.outcome import Status
 from mpsolve.problem.case import Case
 from mpsolve.problem.cases import as_problem
+from mpsolve.problem.line import line_height
 from mpsolve.report.vibration import Trend, trend
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Sheet
 from mpsolve.spectrum.spectrum import Root, Spectrum, disjoint
@@ -145,9 +146,10 @@ def _doubling(spectrum: Spectrum, root: Root) -> str:
 def _all_decay(spectrum: Spectrum) -> str:
     if any(trend(root) is Trend.STEADY for root in spectrum.roots):
         return "no vibration grows; some neither grow nor decay"
-    case = spectrum.problem
-    if isinstance(case, Case) and not case.eta_b:
-        return "nothing grows; without damping nothing decays by itself either"
+    if line_height(as_problem(spectrum.problem).track) == 0:
+        return "nothing grows; without damping of the track vibrations need not decay"
+    if not all(q.imag > 0 for q in spectrum.unfelt):
+        return "no vibration grows; one that no contact feels need not decay"
     return "every vibration decays"
 
 

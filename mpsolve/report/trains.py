@@ -29,7 +29,7 @@ def train_text(title: str, found: InfiniteTrain, ratios: Amplification | None, c
         lines.append(f"  from each vehicle to the next, {name}: {stated}")
     if ratios is not None:
         state = {True: "stable", False: "unstable", None: "not decided"}[ratios.stable]
-        lines.append(f"train of {count}: {state}")
+        lines.append(f"train of {count}: {state}; forces compared {_band(ratios, si)}")
         for name, peak in (("ahead", ratios.ahead), ("back", ratios.back)):
             if peak is not None:
                 lines.append(f"  last force over first, {name}: {_bounds(peak, si)}")
@@ -40,6 +40,13 @@ def train_text(title: str, found: InfiniteTrain, ratios: Amplification | None, c
 
 def _frequency(omega: float, si: bool) -> str:
     return f"{omega / math.tau:.6g} Hz" if si else f"{omega:.6g}"
+
+
+def _band(ratios: Amplification, si: bool) -> str:
+    """Over which frequencies, rounded inward."""
+    unit = math.tau if si else 1.0
+    low, high = (outward(float(x) / unit, 6, up=up) for x, up in zip(ratios.band, (True, False), strict=True))
+    return f"from {low} to {high}{' Hz' * si}"
 
 
 def _bounds(peak: Peak, si: bool) -> str:

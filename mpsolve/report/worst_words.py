@@ -10,7 +10,9 @@ from flint import arb
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.decimals import proved_digits, working_bits
 from mpsolve.numbers.spoken import rounded
+from mpsolve.problem.cases import as_problem
 from mpsolve.problem.over import Over
+from mpsolve.problem.reduced import reduce_problem
 from mpsolve.ranges.onset import Kind, Onset
 from mpsolve.ranges.worst import Worst
 from mpsolve.report.ranges_asked import Asked
@@ -77,6 +79,8 @@ def _lines(found: Worst, asked: Asked) -> list[str]:
         lines.append(
             f"  No root grows anywhere in the range; those below the lowest cut are compared up to Re q = {far}."
         )
+    if reduce_problem(as_problem(found.problem)).parts.unfelt is not None:
+        lines.append("  Motions that no contact feels are left out; none of them grows.")
     return lines
 
 

@@ -44,12 +44,8 @@ def first_lift_off(solution: Solution, last: float) -> Event | None:
 
     At t = 0 where a force begins below 0. None where none comes lower than its own error allows.
     """
-    image = solution.image
-    force = np.arange(image.size, image.size + image.contacts)
-    static = solution.held + sum(
-        (one.amplitude.real for one in solution.steady if not one.frequency), 0 * solution.held
-    )
-    pressed = force[static[force] > _PRESSED * np.abs(static[force]).max()]
+    image, (static, presses) = solution.image, _static(solution)
+    pressed = image.size + np.flatnonzero(presses)
     if not len(pressed) or last <= 0:
         return None
     some = solution.only(pressed)
@@ -68,6 +64,21 @@ def first_lift_off(solution: Solution, last: float) -> Event | None:
         if np.all(some.swing(grid[-1]) < _CALM * static[pressed]):
             break
     return None
+
+
+def unjudged(solution: Solution) -> tuple[int, ...]:
+    """The contacts that no static force presses, from rear to front, counted from 1: with them it is not told."""
+    return tuple((np.flatnonzero(~_static(solution)[1]) + 1).tolist())
+
+
+def _static(solution: Solution) -> tuple[Any, Any]:
+    """The static part of all rows, and which contacts it presses."""
+    image = solution.image
+    static = solution.held + sum(
+        (one.amplitude.real for one in solution.steady if not one.frequency), 0 * solution.held
+    )
+    force = static[image.size : image.size + image.contacts]
+    return static, force > _PRESSED * np.abs(force).max()
 
 
 def _row(some: Solution, j: int) -> Callable[[Any], Any]:

@@ -16,7 +16,7 @@ from mpsolve.numbers.arrays import Complexes, Reals, Truths
 from mpsolve.outcome import Reason
 from mpsolve.problem.problem import Problem
 from mpsolve.vibration.image import Image
-from mpsolve.vibration.liftoff import Event, early_times, first_lift_off
+from mpsolve.vibration.liftoff import Event, early_times, first_lift_off, unjudged
 from mpsolve.vibration.rows import Rows
 from mpsolve.vibration.solution import Parts, Solution
 
@@ -77,7 +77,7 @@ class Vibration(Rows):
 
     @cached_property
     def lift_off(self) -> Event | None:
-        """When a contact force first comes to 0, up to the last time; None where none does.
+        """When a contact force first comes to 0, up to the last time; None where none does, `unjudged` left out.
 
         It is found on the motion itself and does not depend on the times asked for, but for the last one. EffortError
         where no motion is known, as the effort ran out.
@@ -87,6 +87,11 @@ class Vibration(Rows):
         last = float(np.max(self.times, initial=0.0))
         early = early_times(self.solution, last * self.solution.image.rate)
         return first_lift_off(self.solve(early) if len(early) else self.solution, last)
+
+    @property
+    def unjudged(self) -> tuple[int, ...]:
+        """Contacts that no constant force presses, counted from the rear, from 1: whether they are kept is open."""
+        return unjudged(self.solution)
 
     @property
     def reason(self) -> Reason | None:

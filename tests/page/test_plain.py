@@ -36,6 +36,18 @@ def test_the_half_plane(v: int, said: str) -> None:
     assert plain(parts(PAIR.changed("v", v), "unstable")).startswith(said)
 
 
+def test_what_no_contact_feels_is_no_vibration_of_the_sentence() -> None:
+    """A second body on a spring of its own, to the ground, swings for ever: it is listed apart."""
+    alone = vehicles.Vehicle(M=[[9, 0], [0, 1]], C=[[0, 0], [0, 0]], K=[[0, 0], [0, 5]], B=[[1], [0]], places=[0])
+    problem = Problem(tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1"), alone, v="0.5")
+    told = (
+        ("0.001", "No vibration that a contact feels decays more slowly"),
+        ("0.04", "1 vibration that a contact feels decays"),
+    )
+    for height, said in told:
+        assert plain(parts(problem, ("below", height))).startswith(said)
+
+
 def test_one_rail_and_smeared_sleepers() -> None:
     made = parts(BOGIE, "unstable")
     one, sleepers = scope(made)

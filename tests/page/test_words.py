@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from flint import arb
 
-from mpsolve import Case, Problem, certify, critical_velocities, response, tracks, vehicles
+from mpsolve import Case, Load, Problem, certify, critical_velocities, response, tracks, vehicles
 from mpsolve.outcome import Reason
 from mpsolve.page.budget import Part
 from mpsolve.page.limits import Reach
@@ -64,6 +64,9 @@ def test_growth_doubles_in_a_time() -> None:
     assert card is not None
     assert card.figure.startswith("doubles in")
     assert card.status == "proved"
+    calm = growth_card(parts(PAIR.changed("v", 100), spectrum=certify(PAIR.changed("v", 100), region=("below", 5))))
+    assert calm is not None
+    assert calm.sentence.startswith("Of the vibrations in the table the one at")  # others decay faster, or are beyond
 
 
 def test_lift_off_and_late() -> None:
@@ -129,9 +132,8 @@ def test_advice_is_that_of_the_command() -> None:
 
 def test_no_lift_off_says_how_long_and_how_much() -> None:
     slow = PAIR.changed("v", 100)
-    motion = SimpleNamespace(
-        lift_off=None, times=[0.0, 2.0], rail=np.array([[0.0, 0.0031]]), contact_force=np.array([[0.0, 98100.0]])
-    )
+    rail, force = np.array([[0.0, 0.0031]]), np.array([[0.0, 98100.0]])
+    motion = SimpleNamespace(lift_off=None, unjudged=(), times=[0.0, 2.0], rail=rail, contact_force=force)
     swings = certify(slow, region=("below", 5), digits=15)
     said = contact_card(parts(slow, response=Part("response", motion), spectrum=swings)).sentence
     assert said.startswith("Not within 2 s (eight periods of the lowest frequency) after the weight of the vehicle")
@@ -141,6 +143,15 @@ def test_no_lift_off_says_how_long_and_how_much() -> None:
         f"All masses of the file together are {weight / 1000:g} t, as a rule those over one rail: "
         f"at rest {weight * 9.80665 / 2000:.3g} kN a contact, on average."
     )
+
+
+def test_of_a_contact_that_nothing_presses_nothing_is_said() -> None:
+    """Two harmonic forces without a constant one: the forces are tension in turns, and no lift-off is told."""
+    loads = [Load(0, 1000, 100), Load(0, 1000, 100)]
+    motion = response(PAIR.changed("v", 100), loads, times=[0, 1])
+    assert motion.lift_off is None
+    card = contact_card(parts(response=Part("response", motion)))
+    assert (card.figure, card.status) == ("not judged", "open")
 
 
 def test_contacts_are_called_by_the_wheels_over_them() -> None:

@@ -62,6 +62,20 @@ def test_a_block_keeps_away_from_two_waves_that_are_nearly_one() -> None:
     assert (np.linalg.eigvalsh(-(G - np.swapaxes(G.conj(), 1, 2)) / 2j)[:, 0] > 0).all()
 
 
+def test_no_block_is_shorter_than_the_contacts_tell() -> None:
+    """What is left of a block without its ends may be too short to absorb for sure: a verifier refuses it."""
+    p, w = sympy.symbols("p Omega")
+    rail = 342 * p**4 - sympy.Rational(43, 2) * p**2 - 3350 * w**2 + 246 * sympy.I * w + 1761
+    slab = 392 * p**4 - 611 * w**2 + 483 * sympy.I * w + 2470
+    wheels = [Mass("11.8").at(0), Mass("7.2").at(5)]
+    reduced = reduce_problem(Problem(Waveguide([[rail, -115], [-115, slab]]), wheels, v="0.2035"))
+    tail = prove_tail(reduced.guide, reduced.smallest_gap)
+    assert tail is not None
+    assert reduced.smallest_gap is not None
+    least = 2 * np.pi / float(reduced.smallest_gap) / tail.X ** float(tail.gamma)
+    assert min(z2 - z1 for z1, z2, _ in tail.blocks) > least
+
+
 @pytest.mark.parametrize("name", TRACKS)
 def test_the_matrix_is_passive_beyond(name: str) -> None:
     reduced, tail = proved(name)

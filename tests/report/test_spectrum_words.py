@@ -9,10 +9,12 @@ import pytest
 from flint import acb, arb
 from reported import SPRUNG, fast, wire, without_theorem
 
-from mpsolve import Case, Rectangle, Status, certify
+from mpsolve import Case, Problem, Rectangle, Status, certify, tracks, vehicles
 from mpsolve.outcome import Reason
 from mpsolve.report.spectrum_words import DIMENSIONLESS, SI, proved, units_of, verdict, verified, verified_briefly
 from mpsolve.spectrum.regions import HalfPlane
+
+ZERO = [[0, 0], [0, 0]]
 
 
 def test_stable() -> None:
@@ -101,6 +103,19 @@ def test_a_case_has_the_papers_units(eta_b: object, words: str) -> None:
     assert (units_of(found), units_of(wire())) == (DIMENSIONLESS, SI)
     assert found.region == HalfPlane()
     assert words in verdict(found)
+
+
+@pytest.mark.parametrize("v", [0, "0.5"])
+def test_what_nothing_damps_is_not_said_to_decay(v: object) -> None:
+    """A body on a spring that no contact feels swings for ever; so does a mass on a beam at rest without damping."""
+    alone = vehicles.Vehicle(M=[[1, 0], [0, 1]], C=ZERO, K=[[0, 0], [0, 5]], B=[[1], [0]], places=[0])
+    damped, undamped = (tracks.EulerBernoulli(EI="0.25", m=1, k=1, c=c) for c in ("0.1", 0))
+    found = certify(Problem(damped, alone, v=v), region="unstable", digits=15, check=False)
+    assert verdict(found).endswith(": no vibration grows; one that no contact feels need not decay.")
+    own = replace(found, unfelt=(acb(1, 1), acb(-1, 1)))
+    assert verdict(own).endswith(": every vibration decays.")
+    found = certify(Problem(undamped, vehicles.Mass(1), v=v), region="unstable", digits=15, check=False)
+    assert verdict(found).endswith(": nothing grows; without damping of the track vibrations need not decay.")
 
 
 def test_a_vehicle_that_moves_by_itself() -> None:

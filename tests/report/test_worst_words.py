@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -40,6 +41,13 @@ def test_decay_has_its_half_life_and_its_reach() -> None:
     assert "(halves in 2.773 s)" in said.text
     assert "compared up to Re q = 300 rad/s" in said.text
     assert not said.grows
+
+
+def test_what_no_contact_feels_is_left_out() -> None:
+    alone = vehicles.Vehicle(M=[[9, 0], [0, 1]], C=[[0, 0], [0, 0]], K=[[0, 0], [0, 5]], B=[[1], [0]], places=[0])
+    found = replace(worst(12 + 0.25j, reach=Fraction(300)), problem=Problem(TRACK, alone, v=20))
+    assert "no contact feels are left out" in said_of_worst(found, QUESTION).text
+    assert "no contact" not in said_of_worst(worst(12 + 0.25j), QUESTION).text
 
 
 def test_what_is_undecided_says_why() -> None:
