@@ -89,11 +89,11 @@ def region_of(text: str | None, given: Any = None) -> Any:
 
 
 def _told(found: Spectrum) -> Spectrum:
-    """With the names of options in its remedy."""
+    """With the names of options in what helps."""
     from mpsolve.report.remedies import on_command_line
 
-    reason = found.reason
-    return found if reason is None else replace(found, reason=replace(reason, remedy=on_command_line(reason.remedy)))
+    reason = found.reason and replace(found.reason, remedy=on_command_line(found.reason.remedy))
+    return replace(found, reason=reason, verified=on_command_line(found.verified))
 
 
 def _report(spectrum: Spectrum, title: str, path: Path, as_json: bool, by_default: bool) -> None:

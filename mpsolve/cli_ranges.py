@@ -26,6 +26,7 @@ from mpsolve.errors import InputError
 
 if TYPE_CHECKING:
     from mpsolve.progress import Progress
+    from mpsolve.proof.effort import Effort
     from mpsolve.report.ranges_asked import Asked
     from mpsolve.report.ranges_words import Said
 
@@ -50,8 +51,9 @@ def _over(several: bool, default: str) -> Option:
     return click.option("--over", "overs", multiple=True, metavar="RANGE", help=text)
 
 
-def _work(effort: str | None, tell: Progress | None, **more: Any) -> dict[str, Any]:
-    return {"effort": effort_of(effort), "progress": tell, **more}
+def _work(effort: Effort | None, tell: Progress | None, **more: Any) -> dict[str, Any]:
+    """What is left of the effort of the command, which may ask several ranges."""
+    return {"effort": effort and effort.rest(), "progress": tell, **more}
 
 
 @command(
@@ -78,13 +80,14 @@ def onset(everything: bool, worsts: tuple[str, ...], digits: int, effort: str | 
 
     Exit status 0: proved, whatever the answer. 1: undecided, with the reason. 2: the input cannot be used.
     """
+    whole = effort_of(effort)
 
     def answer(question: Asked, tell: Progress | None) -> Said:
         from mpsolve.ranges.onset import onset as prove
         from mpsolve.ranges.unstable import unstable_ranges
         from mpsolve.report import ranges_words as words
 
-        options = _work(effort, tell, digits=digits)
+        options = _work(whole, tell, digits=digits)
         if worsts:
             from mpsolve.report.worst_words import said_of_onset_at_worst
 
@@ -108,12 +111,13 @@ def crossings(digits: int, effort: str | None, **asked: Any) -> None:
 
     A root q is real there. Exit status as for onset.
     """
+    whole = effort_of(effort)
 
     def answer(question: Asked, tell: Progress | None) -> Said:
         from mpsolve.ranges.crossings import crossings as prove
         from mpsolve.report import ranges_words as words
 
-        found = prove(question.given, over=question.over, **_work(effort, tell, digits=digits))
+        found = prove(question.given, over=question.over, **_work(whole, tell, digits=digits))
         return words.said_of_crossings(found, question)
 
     answered(answer, endless=True, **asked)
@@ -135,12 +139,13 @@ def lines(points: int, region: str | None, digits: int, effort: str | None, **as
 
     Exit status 0: every root is followed and none is missing. 1: some are open. 2: the input cannot be used.
     """
+    whole = effort_of(effort)
 
     def answer(question: Asked, tell: Progress | None) -> Said:
         from mpsolve.loci.lines import frequency_lines
         from mpsolve.report.lines_words import said_of_lines
 
-        options = _work(effort, tell, digits=digits, points=points, region=region)
+        options = _work(whole, tell, digits=digits, points=points, region=region)
         return said_of_lines(frequency_lines(question.given, over=question.over, **options), question)
 
     answered(answer, suffixes=_DRAWN, **asked)
@@ -158,12 +163,13 @@ def worst(digits: int, effort: str | None, **asked: Any) -> None:
     That is where the vibration that grows fastest grows fastest, or, where none grows, the least damped one decays
     most slowly: the global minimum of Im q over the range, its ends included. Exit status as for onset.
     """
+    whole = effort_of(effort)
 
     def answer(question: Asked, tell: Progress | None) -> Said:
         from mpsolve.ranges.worst import worst as prove
         from mpsolve.report.worst_words import said_of_worst
 
-        found = prove(question.given, over=question.over, **_work(effort, tell, digits=digits))
+        found = prove(question.given, over=question.over, **_work(whole, tell, digits=digits))
         return said_of_worst(found, question)
 
     answered(answer, "gap", **asked)
@@ -234,12 +240,13 @@ def chart(depth: int, effort: str | None, **asked: Any) -> None:
 
     Exit status 0: every region is proved. 1: some are open. 2: the input cannot be used.
     """
+    whole = effort_of(effort)
 
     def answer(question: Asked, tell: Progress | None) -> Said:
         from mpsolve.ranges.chart import stability_chart
         from mpsolve.report.robust_words import said_of_chart
 
-        found = stability_chart(question.given, over=question.over, **_work(effort, tell, depth=depth))
+        found = stability_chart(question.given, over=question.over, **_work(whole, tell, depth=depth))
         return said_of_chart(found, question)
 
     answered(answer, "chart", suffixes=_DRAWN, **asked)

@@ -130,7 +130,8 @@ def response(
 @output("Write FILE.csv, .png, .svg, .pdf.")
 @_END
 @_POINTS
-def compare(file: Path, output: Path | None, end: str | None, points: int) -> None:
+@click.option("--effort", metavar="SECONDS", help="Processor time that all of it may take; what is late is left out.")
+def compare(file: Path, output: Path | None, end: str | None, points: int, effort: str | None) -> None:
     """Hold the motion of the rear contact point against superposition, one merged mass, and a finite track.
 
     Superposition: each mass alone, results added. Merged: one mass with the sum of all masses and loads at the
@@ -138,17 +139,19 @@ def compare(file: Path, output: Path | None, end: str | None, points: int) -> No
     or written. 2: the input cannot be used.
     """
     from mpsolve.problem.casefile import InputFile
+    from mpsolve.proof.effort import Effort
 
     kind = checked_file(output, file, "the comparison", (".csv", ".png", ".svg", ".pdf"))
     source, end = _source(file, end)
+    budget = effort_of(effort) or Effort()
     if isinstance(source, InputFile):
-        found = cli_vibration.compared_case(source, _grid(_last(end), points))
+        found = cli_vibration.compared_case(source, _grid(_last(end), points), budget)
     else:
-        found = cli_vibration.compared(source, _grid(_seconds(end) or _last(end), points))
+        found = cli_vibration.compared(source, _grid(_seconds(end) or _last(end), points), budget)
     if output is not None:
         found.write(output, kind, source.title)
     for sentence in (*found.said, *([] if output is None else [str(output)])):
-        click.echo(sentence)
+        say(sentence)
 
 
 def _source(file: Path, end: str | None) -> tuple[ProblemFile | InputFile, str]:

@@ -29,7 +29,7 @@ PATH = click.Path(path_type=Path)
 FILE: Option = click.argument("file", type=PATH)
 JSON: Option = click.option("--json", "as_json", is_flag=True, help="Report for machines, in JSON.")
 EFFORT: Option = click.option(
-    "--effort", metavar="SECONDS", help="Processor time that the proof may take; its verification comes on top."
+    "--effort", metavar="SECONDS", help="Processor time that the proof and its verification may take."
 )
 WORKERS: Option = click.option("--workers", type=int, help="Processes.  [default: as many as there are processors]")
 DASK: Option = click.option(

@@ -103,9 +103,7 @@ def warnings(source: ProblemFile) -> list[str]:
     return [f"Warning: {reason}." for reason in found]
 
 
-def film(
-    source: ProblemFile, path: Path, last: float, initial: str, rough: Rough, effort: Effort | None = None
-) -> None:
+def film(source: ProblemFile, path: Path, last: float, initial: str, rough: Rough, effort: Effort | None) -> None:
     """Writes the film of the rail's shape."""
     import numpy as np
 
@@ -165,11 +163,7 @@ def _contact(
     return [f"{which} kept{until}."] if counts[0] < counts[1] else []
 
 
-Finite = Callable[[], tuple[Any, str]]
-"""The curve on a finite piece of the track, and what is to be said of it."""
-
-
-def compared(source: ProblemFile, times: Any) -> Shown:
+def compared(source: ProblemFile, times: Any, budget: Effort) -> Shown:
     """The motion under the rear contact in SI, against what could stand for it."""
     from mpsolve.finite.finite_track import finite_track
     from mpsolve.problem.reduced import track_guide
@@ -177,20 +171,20 @@ def compared(source: ProblemFile, times: Any) -> Shown:
     problem, loads = source.problem, source.loads
     rear = {"times": times, "places": [problem.pencil.places[0]]}
 
-    def finite() -> tuple[Any, str]:
+    def finite(said: list[str]) -> Any:
         unit = 2.0 ** track_guide(problem.track, problem.v).length
         gap = float(problem.pencil.places[-1] - problem.pencil.places[0])
         run = gap + float(problem.v) * float(times[-1])
         length = run + 2 * max(40 * unit, 0.25 * run)
         modes = max(100, min(4000, int(8 * length / unit)))
         found = finite_track(problem, loads, length=length, modes=modes, tolerance=1e-3, **rear)
-        return found.rail[0], f"{length:.4g} m, {modes} modes, estimated error {found.error.total:.2g} m"
+        said.append(f"finite track: {length:.4g} m, {modes} modes, estimated error {found.error.total:.2g} m")
+        return found.rail[0]
 
-    alone = ["superposition"] if len(problem.vehicles) == 1 else []
-    return _compared(problem, loads, rear, ("finite track", finite), alone, warnings(source))
+    return _compared(problem, loads, rear, budget, ("finite track", finite), warnings(source))
 
 
-def compared_case(source: InputFile, tau: Any) -> Shown:
+def compared_case(source: InputFile, tau: Any, budget: Effort) -> Shown:
     """The same of a case of the paper."""
     from mpsolve.finite.beam import finite_beam
     from mpsolve.vibration.case_units import units_of
@@ -198,49 +192,55 @@ def compared_case(source: InputFile, tau: Any) -> Shown:
     scale = _scale(source)
     rear = {"tau": tau, "xi": [float(units_of(source.case).case.positions[0])]}
 
-    def finite() -> tuple[Any, str]:
+    def finite(said: list[str]) -> Any:
         found = finite_beam(source.case, source.loads, tau=tau)
-        return found.displacement[0], f"estimated error {found.error.total * scale.length:.2g} {scale.length_unit}"
+        said.append(f"finite beam: estimated error {found.error.total * scale.length:.2g} {scale.length_unit}")
+        return found.displacement[0]
 
-    return _compared(source.case, source.loads, rear, ("finite beam", finite), [], [], scale)
+    return _compared(source.case, source.loads, rear, budget, ("finite beam", finite), [], scale)
 
 
 def _compared(
     given: Any,
     loads: Any,
     rear: dict[str, Any],
-    finite: tuple[str, Finite],
-    without: list[str],
+    budget: Effort,
+    finite: tuple[str, Callable[[list[str]], Any]],
     said: list[str],
     scale: Scale | None = None,
 ) -> Shown:
     """The complete solution, what could stand for it, and how far that is apart while contact is kept.
 
-    Where one of them cannot be computed, the rest stands without it, and a sentence says why.
+    Where one of them cannot be computed, the rest stands without it, and a sentence says why. finite: its name, and
+    the curve on a finite piece of the track, which adds what is to be said of it.
     """
+    from mpsolve.problem.cases import as_problem
+    from mpsolve.proof.in_time import in_time
     from mpsolve.report.figures_motion import save_comparison
     from mpsolve.vibration.response import response
     from mpsolve.vibration.studies import merged, superposition
     from mpsolve.vibration.table import comparison, deflection
 
-    whole, notes, (name, track) = response(given, loads, **rear), list[str](), finite
+    whole, late, _ = in_time(lambda: response(given, loads, **rear), budget, "the motion was computed")
+    if whole is None:
+        raise EffortError(late)
+    notes, (name, track) = list[str](), finite
     curves = {"complete": deflection(whole), "steady and harmonic": whole.steady[0] + whole.harmonic[0]}
-
-    def on_track() -> Any:
-        row, note = track()
-        notes.append(f"{name}: {note}")
-        return row
 
     others: dict[str, Callable[[], Any]] = {
         "superposition": lambda: sum(map(deflection, superposition(given, loads, **rear))),
         "one merged mass": lambda: deflection(merged(given, loads, **rear)),
-        name: on_track,
+        name: lambda: track(notes),
     }
+    if len(as_problem(given).vehicles) == 1:  # which is its own superposition
+        del others["superposition"]
     for other, compute in others.items():
         try:
-            curves |= {} if other in without else {other: compute()}
+            row, why, _ = in_time(compute, budget, "it was computed")
         except (InputError, PrecisionError) as error:
-            notes.append(f"{other}: left out, {error}")
+            row, why = None, str(error)
+        curves |= {} if row is None else {other: row}
+        notes += [f"{other}: left out, {why}"] if why else []
     unit, one = ("m", 1.0) if scale is None else (scale.length_unit, scale.length)
     apart = {key: abs(row - curves["complete"])[whole.within].max() * one for key, row in curves.items()}
     ends = f"{unit} at these times, while contact is kept"

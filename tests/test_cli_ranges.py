@@ -14,6 +14,8 @@ from click.testing import CliRunner, Result
 from flint import arb
 
 from mpsolve.cli import cli
+from mpsolve.cli_ranges import _work
+from mpsolve.proof.effort import Effort
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 RAIL, PLAIN = EXAMPLES / "rail_60e1.toml", EXAMPLES / "dimensionless.toml"
@@ -135,7 +137,7 @@ def test_a_range_that_holds_the_speed_of_waves(tmp_path: Path) -> None:
     told = CliRunner().invoke(cli, ["crossings", str(file), "--over", "v=0..1000km/h"])
     assert told.exit_code == 0, told.output
     assert "from 571.9 km/h on: stable" in told.output
-    assert "Note: left out: v = 158.851015 itself (waves of the string, √(T/m))" in told.output
+    assert "Note: left out: v = 158.851015 m/s itself (waves of the string, √(T/m))" in told.output
     assert "Proved, without certificate: by a theorem" in told.output
 
 
@@ -283,3 +285,14 @@ def test_onset_at_the_worst_value_of_another_parameter(run: Run) -> None:
     assert "worst gap[0]: 1.697045734437" in result.stdout
     result = run("onset", PLAIN, "--over", "scale.mass=0.01..1", "--worst", "gap[0]=1..2", "--all")
     assert (result.exit_code, "give one of the two" in result.stderr) == (2, True)
+
+
+def test_the_effort_is_one_of_all_ranges() -> None:
+    whole = Effort(seconds=100)
+    whole.started -= 70
+    left = _work(whole, None)["effort"]
+    assert 29 < left.seconds < 30
+    assert left.whole is whole
+    whole.started -= 70
+    assert _work(whole, None)["effort"].seconds == 10  # some in any case
+    assert _work(None, None)["effort"] is None

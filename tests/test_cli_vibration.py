@@ -6,6 +6,7 @@ import csv
 import json
 import xml.etree.ElementTree as ET
 from pathlib import Path
+from time import process_time
 from typing import Any
 
 import numpy as np
@@ -102,6 +103,21 @@ def test_compare_holds_the_other_ways_against_it(tmp_path: Path) -> None:
         assert f"{name} [m]" in rows[0]
     apart = [abs(float(row["complete [m]"]) - float(row["finite track [m]"])) for row in rows]
     assert max(apart) < 2e-3 * max(abs(float(row["complete [m]"])) for row in rows)
+
+
+def test_compare_leaves_out_what_is_late(tmp_path: Path) -> None:
+    few = run("compare", MASSES, "-o", tmp_path / "out.csv", "--to", "0.3 s", "--points", "16", "--effort", "1e-3")
+    assert few.exit_code == 1
+    assert few.stderr.startswith("mpsolve: the effort of 0.001 s of processor time was spent before the motion was")
+    assert "--effort SECONDS" in few.stderr
+    started = process_time()
+    some = run("compare", MASSES, "-o", tmp_path / "out.csv", "--to", "40 s", "--points", "99", "--effort", "1.5")
+    assert process_time() - started < 3
+    assert some.exit_code == 0
+    assert (
+        "finite track: left out, the effort of 1.5 s of processor time was spent before it was computed"
+        in some.output
+    )
 
 
 @pytest.mark.parametrize(

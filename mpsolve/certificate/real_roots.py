@@ -72,7 +72,8 @@ def real_roots(
     total = sum(zero.multiplicity for zero in zeros)
     answer = Zeros(status=Status.UNVERIFIED, count=total, roots=zeros, cost=cost, **common)
     rows = [(tiling, _sharp_bits(digits), row) for tiling, row in zip(tilings, brackets, strict=True)]
-    return checked(answer, interval_certificate(given.expression, low, high, rows), check, tell)
+    certificate = interval_certificate(given.expression, low, high, rows)
+    return checked(answer, certificate, budget if check else None, tell)
 
 
 def _sharp_bits(digits: int) -> int:

@@ -123,7 +123,7 @@ def _answered(
     if given.expression is None:
         return replace(answer, note=f"{answer.note}; {_UNCHECKED}" if answer.note else _UNCHECKED)
     certificate = region_certificate(given.expression, found.count, found.region, found.balls, total)
-    return checked(answer, certificate, check, tell)
+    return checked(answer, certificate, budget if check else None, tell)
 
 
 def _zeros(found: Solved) -> tuple[Zero, ...]:

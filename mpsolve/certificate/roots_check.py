@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from time import process_time
 from typing import TYPE_CHECKING
 
 from mpsolve.outcome import Reason, Status
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort, begun
+from mpsolve.proof.in_time import in_time
 from mpsolve.zeros.answer import Zeros
 
 if TYPE_CHECKING:
@@ -23,16 +23,17 @@ def budget_of(effort: Effort | None) -> Effort:
     return begun(effort, _EVALUATIONS)
 
 
-def checked(answer: Zeros, certificate: Certificate, check: bool, tell: Progress) -> Zeros:
-    """The answer with the verifier's word on its certificate."""
-    if not check:
+def checked(answer: Zeros, certificate: Certificate, budget: Effort | None, tell: Progress) -> Zeros:
+    """The answer with the verifier's word on its certificate, within the effort; None: it is not asked."""
+    if budget is None:
         return replace(answer, certificate=certificate)
     from mpsolve.certificate.verify_roots import verify_bytes
 
     tell("verifying", 0.0)
-    started = process_time()
-    verdict = verify_bytes(certificate.text.encode("ascii"))
-    cost = replace(answer.cost, verification=process_time() - started)
+    verdict, why, seconds = in_time(lambda: verify_bytes(certificate.text.encode("ascii")), budget)
+    cost = replace(answer.cost, verification=seconds)
+    if verdict is None:
+        return replace(answer, certificate=certificate, verified=why, cost=cost)
     if verdict.valid:
         return replace(answer, status=Status.PROVED, certificate=certificate, verified=verdict.claim, cost=cost)
     message = f"the standalone verifier does not accept the proof: {verdict.reason}"

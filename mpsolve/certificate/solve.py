@@ -21,9 +21,9 @@ from mpsolve.problem.line import Line, on_line
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.deadline import TimeUpError
 from mpsolve.proof.effort import Effort, begun
-from mpsolve.proof.stopping import ended_at_once, stoppable
+from mpsolve.proof.in_time import in_time
+from mpsolve.proof.stopping import stoppable
 from mpsolve.spectrum.count import AT_REST, Count, count_roots, line_for
 from mpsolve.spectrum.lossless import PASSIVE, none_unstable, passive_everywhere
 from mpsolve.spectrum.premises import require_premises
@@ -134,7 +134,7 @@ def _spectrum(
     certificate = _certificate(reduced, count, root_entries(found.balls), unstable)
     if check:
         tell("verifying", 0.0)
-    status, reason, verified, seconds = _checked(certificate, count, check)
+    status, reason, verified, seconds = _checked(certificate, count, budget if check else None)
     pieces = count.pieces
     for room in _ROOMS if reason is not None and reason.code == "verifier" and "piece" in reason.message else ():
         # the verifier's bounds are wider on some piece: the same proof again, in shorter pieces
@@ -142,7 +142,7 @@ def _spectrum(
         if again is None or (again.total, again.region) != (count.total, count.region):
             break
         certificate = _certificate(reduced, again, root_entries(found.balls), unstable)
-        status, reason, verified, more = _checked(certificate, again, check)
+        status, reason, verified, more = _checked(certificate, again, budget)
         pieces, seconds = again.pieces, seconds + more
         if reason is None:
             break
@@ -202,9 +202,9 @@ def _known(count: AnyCount) -> dict[str, Any]:
     return {"count": count.total}
 
 
-def _checked(certificate: Any, count: AnyCount, check: bool) -> tuple[Status, Reason | None, str, float]:
-    """The verifier's word on the certificate that was just made."""
-    if not check:
+def _checked(certificate: Any, count: AnyCount, budget: Effort | None) -> tuple[Status, Reason | None, str, float]:
+    """The verifier's word on the certificate that was just made, or why it was not heard; None: it is not asked."""
+    if budget is None:
         return Status.UNVERIFIED, None, "", 0.0
     from mpsolve.certificate.verify2 import MAX_PIECES, verify_bytes
 
@@ -212,13 +212,9 @@ def _checked(certificate: Any, count: AnyCount, check: bool) -> tuple[Status, Re
     if count.pieces > MAX_PIECES:
         message = f"the proof has {count.pieces} pieces, more than the {MAX_PIECES} that a verifier reads"
         return Status.UNDECIDED, Reason("pieces", message, {"pieces": str(count.pieces)}, other or _PART), "", 0.0
-    started = process_time()
-    try:
-        with ended_at_once():
-            verdict = verify_bytes(certificate.text.encode("ascii"))
-    except (TimeUpError, KeyboardInterrupt):  # what the prover has proved is kept
-        return Status.UNVERIFIED, None, "", process_time() - started
-    seconds = process_time() - started
+    verdict, why, seconds = in_time(lambda: verify_bytes(certificate.text.encode("ascii")), budget)
+    if verdict is None:  # what the prover has proved is kept
+        return Status.UNVERIFIED, None, why, seconds
     if verdict.valid:
         return Status.PROVED, None, verdict.claim, seconds
     message = f"the standalone verifier does not accept the proof: {verdict.reason}"

@@ -15,6 +15,7 @@ from typing import Any
 import sympy as sp
 
 from mpsolve import tracks
+from mpsolve.errors import InputError
 from mpsolve.numbers.model import Model, quantities
 from mpsolve.tracks.waveguide import Track
 
@@ -52,6 +53,9 @@ def symbols_of(model: type[Model]) -> SimpleNamespace:
 @lru_cache
 def derived(model: type[Track]) -> Derived:
     """The derivation for a track of the catalogue, with its parameters as symbols."""
+    if model not in _MOTIONS:
+        stated = f"is {model.name}, whose equations of motion are not written down"
+        raise InputError("track", f"{stated}: write them in mpsolve/derivation/tracks.py")
     fields, equations = _MOTIONS[model](symbols_of(model))
     wave = sp.exp(sp.I * (p * x + Omega * t))
     size = range(len(fields))

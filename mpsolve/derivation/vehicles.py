@@ -15,6 +15,7 @@ import sympy as sp
 
 from mpsolve import vehicles
 from mpsolve.derivation.tracks import Expr, symbols_of, t
+from mpsolve.errors import InputError
 from mpsolve.vehicles.vehicle import AnyVehicle
 
 half = sp.Rational(1, 2)
@@ -55,6 +56,9 @@ class Energies:
 def energies(model: type[AnyVehicle], body: bool = False) -> Energies:
     """The energies of a vehicle of the catalogue, its parameters symbols; body: a bogie with one of its own."""
     a = symbols_of(model)
+    if model not in (vehicles.Bogie, *_ENERGIES):
+        stated = f"is {model.name}, whose energies are not written down"
+        raise InputError("vehicle", f"{stated}: write them in mpsolve/derivation/vehicles.py")
     return _bogie(a, body) if model is vehicles.Bogie else _ENERGIES[model](a)
 
 

@@ -83,7 +83,7 @@ def page_html(parts: Parts, stem: str) -> str:
         scope=scope(parts),
         sources=parts.sources,
         proved=proved(spectrum),
-        verified=verified_briefly(spectrum).split("\n"),
+        verified=on_command_line(verified_briefly(spectrum)).split("\n"),
         also=[card for card in cards(parts) if card.status == "proved"],
         assumed=ASSUMED,
         downloads=downloads(parts, stem),

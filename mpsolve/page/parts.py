@@ -34,7 +34,6 @@ from mpsolve.waves.velocity import CriticalVelocities
 
 LINE_POINTS, CHART_COLUMNS, CHART_ROWS, PROVED_DEPTH = 81, 49, 25, 5
 _ROOTS = 0.7  # of the time, for the roots with their verifier
-_ASKED = 0.3  # of the time, for each region that is tried
 _LEAST = 2.0  # seconds for the roots, however little time there is
 _WORTH = Fraction(1, 2)  # of the proved chart that must be decided, or counts in floats are drawn
 NOT_ASKED: Part[Any] = Part("more", reason="it was not asked for")
@@ -133,9 +132,10 @@ def worth_drawing(chart: Chart | None) -> bool:
 
 def roots_of(given: Given, digits: int, seconds: float) -> Spectrum:
     """The roots, undecided where they take most of the time; their certificate is checked as far as it goes."""
+    most = max(_ROOTS * seconds, _LEAST)
     try:
-        with deadline(max(_ROOTS * seconds, _LEAST)):
-            return certify(given, digits=digits, effort=Effort(seconds=max(_ASKED * seconds, _LEAST / 2)))
+        with deadline(most):
+            return certify(given, digits=digits, effort=Effort(seconds=most))
     except TimeUpError:
         stated = f"{seconds:g} s for the page leave too little time for the roots"
         reason = Reason("effort", stated, {"seconds": f"{seconds:g}"}, MORE_EFFORT)

@@ -9,6 +9,7 @@ import signal
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from time import process_time
 from types import FrameType
 
 from mpsolve.numbers.balls import bits_now, precision, terms
@@ -21,16 +22,18 @@ class TimeUpError(BaseException):
 
 
 @contextmanager
-def deadline(seconds: float) -> Iterator[None]:
-    """TimeUpError inside the block after so many seconds of processor time.
+def deadline(seconds: float | None) -> Iterator[None]:
+    """TimeUpError inside the block after so many seconds of processor time; None: no limit.
 
     Only in the main thread and where there is a timer for it (not on Windows); elsewhere the block runs to its end.
-    What was set of flint before it is put back. Deadlines do not stand in each other.
+    What was set of flint before it is put back. Of deadlines in each other the first one ends the block.
     """
-    if threading.current_thread() is not threading.main_thread() or not hasattr(signal, "setitimer"):
+    here = threading.current_thread() is threading.main_thread() and hasattr(signal, "setitimer")
+    around = signal.getitimer(signal.ITIMER_PROF)[0] if here else 0.0
+    if not here or seconds is None or 0 < around <= seconds:
         yield
         return
-    inside = True
+    inside, started = True, process_time()
 
     def end(_number: int, _frame: FrameType | None) -> None:
         if inside:
@@ -45,3 +48,5 @@ def deadline(seconds: float) -> Iterator[None]:
             inside = False
             signal.setitimer(signal.ITIMER_PROF, 0)
             signal.signal(signal.SIGPROF, before)
+            if around:
+                signal.setitimer(signal.ITIMER_PROF, max(around - (process_time() - started), _LEAST))

@@ -25,6 +25,7 @@ from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
+from mpsolve.proof.in_time import in_time
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import Tree, subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
@@ -144,22 +145,27 @@ def _chart(
     cells = 2**depth * _FINER_CELLS
     cover = subdivide(low, high, scope.judge(ArcJudge, thin=_THIN / cells), budget, smallest, tell)
     spent = cover.reason is not None and cover.reason.code != "boxes"
-    progress("boundaries", 0.7)
     strips = strips_of(scope.matrix, *cover.tree.boxes(np.flatnonzero(cover.tree.kind == ARC)), scope.corners, cells)
     free = free_cells(scope.corners, cover.tree, strips, cells)
     units = tuple(map(float, (scope.family.frequency_unit, *scope.family.units)))
     rest = sum(cover.tree.boxes(cover.tree.open)) / 2
-    curves = boundaries(scope.matrix, np.concatenate([strips.near, rest], 1), scope.corners, units)
     labels = parts_of(free.reshape(2**depth, _FINER_CELLS, 2**depth, _FINER_CELLS).all((1, 3)))
     detail = np.where(free, 0, BOUNDARY)
     parts, regions, reason = counted(
         problem, over, (edges[0], edges[1]), (labels, finer(labels, free)), detail, budget, progress, check
     )
+    progress("boundaries", 0.9)
+    near = np.concatenate([strips.near, rest], 1)
+    drawn, late, _ = in_time(
+        lambda: boundaries(scope.matrix, near, scope.corners, units), budget, "the curves were followed"
+    )
+    curves = drawn or ()
     counts = np.where(labels > 0, detail[::_FINER_CELLS, ::_FINER_CELLS], BOUNDARY)
     family = scope.family
     proof = Proof(over, family.units, family.frequency_unit, X, cover)
     reason = cover.reason if spent else reason
-    made = _certified(scope, cover.tree, parts, regions, check) if reason is None else None
+    progress("verifying", 0.9)
+    made = _certified(scope, cover.tree, parts, regions, budget if check else None) if reason is None else None
     verification = (made.seconds if made else 0.0) + sum(
         part.spectrum.cost.verification for part in parts if part.spectrum is not None
     )
@@ -167,7 +173,7 @@ def _chart(
     proofs = tuple(replace(proof, base=part.spectrum) for part in parts) or (proof,)
     more: dict[str, Any] = {"proofs": proofs, "cost": cost}
     if made:
-        more |= {"note": made.note, "certificate": made.certificate}
+        more |= {"note": late or made.note, "certificate": made.certificate}
     status = made.status if made else Status.UNDECIDED
     lost = (detail == BOUNDARY) & ~next_to(detail.shape, edges, curves)
     whole = all(curve.whole for curve in curves) and not lost.any()
@@ -201,9 +207,11 @@ def _by_theorem(
     )  # fmt: skip
 
 
-def _certified(scope: Scope, tree: Tree, parts: tuple[Part, ...], regions: Integers, check: bool) -> Verified:
+def _certified(
+    scope: Scope, tree: Tree, parts: tuple[Part, ...], regions: Integers, budget: Effort | None
+) -> Verified:
     bases = [Base(tuple(part.point.values()), part.spectrum) for part in parts]
-    return verified(lambda: chart_certificate(scope, tree, bases, regions), tree.nodes, check)
+    return verified(lambda: chart_certificate(scope, tree, bases, regions), tree.nodes, budget)
 
 
 def _cell(low: Fraction, high: Fraction, cells: int, value: object, path: str) -> int:

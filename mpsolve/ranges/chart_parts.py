@@ -67,7 +67,7 @@ def counted(
             detail[where] = OPEN
             reason = reason or (_too_many(len(order)) if whole.any() else None)
             continue
-        progress("regions", 0.8 + 0.2 * number / len(order))
+        progress("regions", 0.7 + 0.2 * number / len(order))
         point = point_in(over, edges, whole if whole.any() else where)
         try:
             budget.spend(1)

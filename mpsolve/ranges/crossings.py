@@ -173,7 +173,9 @@ def _within(
     rooms = list(zip(zeros, search.judge.known, strict=True))
     claim = {"counts": list(counts or ()), "directions": [one.direction for one in inside]}
     at = Base((_counted_at(over, inside)[0],), base)
-    found = verified(lambda: crossings_certificate(scope, cover.tree, rooms, at, claim), cover.tree.nodes, check)
+    progress("verifying", 0.9)
+    asked = budget if check else None
+    found = verified(lambda: crossings_certificate(scope, cover.tree, rooms, at, claim), cover.tree.nodes, asked)
     cost = replace(cost, verification=cost.verification + found.seconds)
     common |= {"proofs": proofs, "cost": cost, "counts": counts}
     return Crossings(problem, over, found.status, certificate=found.certificate, note=found.note, **common)

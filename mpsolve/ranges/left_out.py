@@ -46,8 +46,8 @@ def not_whole(left_out: tuple[LeftOut, ...]) -> Reason | None:
 def shown(one: LeftOut) -> str:
     """In words."""
     if one.is_point:
-        return f"v = {float(one.value):.9g} itself ({one.name})"
-    return f"v from {float(one.start):.9g} to {float(one.end):.9g} ({one.name}: {float(one.value):.9g})"
+        return f"v = {float(one.value):.9g} m/s itself ({one.name})"
+    return f"v from {float(one.start):.9g} to {float(one.end):.9g} m/s ({one.name}: {float(one.value):.9g} m/s)"
 
 
 @dataclass(frozen=True)

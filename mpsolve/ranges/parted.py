@@ -195,7 +195,7 @@ def _joined(over: Mapping[str, Interval], speeds: list[Speed], parts: list[Any],
 
 
 def _told(reason: Reason, speeds: list[Speed]) -> Reason:
-    names = ", ".join(f"{one.name} = {float(one.ball):.6g}" for one in speeds)
+    names = ", ".join(f"{one.name} = {float(one.ball):.6g} m/s" for one in speeds)
     return replace(reason, message=f"{reason.message}, in a part of the range beside {names}")
 
 

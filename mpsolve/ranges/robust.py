@@ -190,7 +190,12 @@ def _answer(question: _Question, progress: Progress, workers: int) -> Robust:
     if reason is not None:
         return Robust(question.problem, question.over, Status.UNDECIDED, reason, open=_open(scope, cover), **common)
     at = Base(tuple(point.values()), base)
-    made = verified(lambda: stable_certificate(scope, cover.tree, at), cover.tree.nodes, question.check)
+    progress("verifying", 0.9)
+    made = verified(
+        lambda: stable_certificate(scope, cover.tree, at),
+        cover.tree.nodes,
+        question.budget if question.check else None,
+    )
     common["cost"] = replace(common["cost"], verification=common["cost"].verification + made.seconds)
     common |= {"certificate": made.certificate, "note": made.note}
     return Robust(question.problem, question.over, made.status, stable=True, **common)

@@ -18,6 +18,7 @@ from mpsolve.errors import InputError, PrecisionError
 from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.model import shown
 from mpsolve.numbers.plain import float_beside
+from mpsolve.numbers.spoken import beside
 from mpsolve.outcome import Reason
 from mpsolve.passivity.box import passive_beyond
 from mpsolve.passivity.envelope import Envelope
@@ -116,8 +117,9 @@ class Scope:
         long_waves = max((_speed_of_long_waves(self.family.guide(x)) for x in product(*self.family.box)), default=0.0)
         if long_waves:
             guide = self.family.base.guide
-            speed = f"{math.ldexp(long_waves, guide.length - guide.time):.6g}"
-            raise OpenError(Reason("long-waves", _LONG.format(speed), {"speed": speed}, _FASTER))
+            speed = math.ldexp(long_waves, guide.length - guide.time)
+            told = {"speed": f"{speed:.6g}"}
+            raise OpenError(Reason("long-waves", _LONG.format(beside(speed, "m/s")), told, _FASTER))
         key = self._told_by
         if key not in _KNOWN:
             if len(_KNOWN) >= _MOST:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from time import process_time
 
 from mpsolve.certificate.format import Certificate
 from mpsolve.errors import CertificateError, PrecisionError
 from mpsolve.outcome import Status
+from mpsolve.proof.effort import Effort
+from mpsolve.proof.in_time import in_time
 
 _A_NODE, _PIECES = 1, 3000
 """Boxes that the verifier may look at: so many for each node of the tree, and so many more."""
@@ -24,19 +25,21 @@ class Verified:
     seconds: float = 0.0
 
 
-def verified(make: Callable[[], Certificate], nodes: int, check: bool) -> Verified:
-    """Make a certificate and have it checked; without `check` neither."""
-    if not check:
+def verified(make: Callable[[], Certificate], nodes: int, budget: Effort | None) -> Verified:
+    """Make a certificate and have it checked within the effort; None: neither."""
+    if budget is None:
         return Verified(Status.UNVERIFIED, note="the verifier was not asked")
     from mpsolve.certificate.verify_ranges import verify_bytes
 
-    started = process_time()
-    try:
-        certificate = make()
-        verdict = verify_bytes(certificate.text.encode("ascii"), _A_NODE * nodes + _PIECES)
-    except (CertificateError, PrecisionError) as error:
-        return Verified(Status.UNVERIFIED, note=str(error), seconds=process_time() - started)
-    seconds = process_time() - started
-    if not verdict.valid:
-        return Verified(Status.UNVERIFIED, note=verdict.reason, seconds=seconds)
-    return Verified(Status.PROVED, certificate, "", seconds)
+    def made_and_checked() -> tuple[Certificate | None, str]:
+        try:
+            certificate = make()
+            verdict = verify_bytes(certificate.text.encode("ascii"), _A_NODE * nodes + _PIECES)
+        except (CertificateError, PrecisionError) as error:
+            return None, str(error)
+        return (certificate, "") if verdict.valid else (None, f"the verifier does not pass one: {verdict.reason}")
+
+    found, late, seconds = in_time(made_and_checked, budget)
+    certificate, why = found or (None, late)
+    status = Status.UNVERIFIED if certificate is None else Status.PROVED
+    return Verified(status, certificate, why, seconds)

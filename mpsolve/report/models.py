@@ -23,7 +23,6 @@ _ONE_RAIL = """\
 Rail tracks: everything for one rail and per metre of it: half a sleeper, one pad, half a wheelset, half a bogie.
 Some damping must be above 0; only masses on the paper's beam are decided without any.
 """
-_RAILS = ("euler-bernoulli", "rayleigh", "timoshenko", "two-layer", "three-layer", "slab")
 
 
 def listing(name: str | None = None) -> str:
@@ -35,7 +34,8 @@ def listing(name: str | None = None) -> str:
             near = get_close_matches(name.lower(), known, n=1, cutoff=0.5)
             advice = f"did you mean {near[0]}?" if near else f"the models are {', '.join(known)}"
             raise InputError("name", f"is {name[:40]!r}, which is unknown: {advice}")
-        return "\n".join([_entry(*known[name]), *([_ONE_RAIL] if name in _RAILS else [])])
+        rail = "EI" in quantities(known[name][0])
+        return "\n".join([_entry(*known[name]), *([_ONE_RAIL] if rail else [])])
     parts = ["TRACKS: [track] with model = and the parameters\n", _ONE_RAIL]
     parts += [_entry(model, "tracks") for model in tracks.CATALOGUE]
     parts += ["VEHICLES: [[vehicle]] with model = and the parameters\n", _PLACES]

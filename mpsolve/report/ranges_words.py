@@ -26,11 +26,11 @@ CERTIFIED = (
 )
 WITHOUT = (
     "Proved, without certificate: boxes of frequency and parameters are excluded in rigorous arithmetic, but there "
-    "is no file of that which the verifier has passed."
+    "is no file of that which the verifier has passed"
 )
 THEOREM = "Proved, without certificate: by a theorem that needs no boxes."
 _BASE = "The roots at one point, from which all are counted, are certified and passed the standalone verifier."
-_UNVERIFIED = "The roots at one point, from which all are counted, are certified; the verifier was not asked."
+_UNVERIFIED = "The roots at one point, from which all are counted, are certified; the verifier has not passed them."
 
 
 @dataclass(frozen=True)
@@ -233,4 +233,5 @@ def trust(found: Answer) -> str:
     if not found.proofs and found.note:  # by a theorem, without boxes
         return THEOREM if _speeds(found) else f"Proved, without certificate: {found.note}."
     verified = all(proof.base is not None and proof.base.status is Status.PROVED for proof in found.proofs)
-    return f"{WITHOUT} {_BASE if found.proofs and verified else _UNVERIFIED}"
+    why = f": {found.note}" if found.note and not _speeds(found) else ""
+    return f"{WITHOUT}{why}. {_BASE if found.proofs and verified else _UNVERIFIED}"

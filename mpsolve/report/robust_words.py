@@ -46,8 +46,8 @@ def _robust(found: Robust, asked: Asked) -> str:
 
 def _refuted(lines: list[str], found: Robust, asked: Asked) -> str:
     """One certified point is enough: what is said of boxes has no part in it."""
-    sure = "and passed the standalone verifier" if found.status is Status.PROVED else "; the verifier was not asked"
-    proof = f"The roots at this point are certified {sure}. Other points were not asked for."
+    sure = " and passed the standalone verifier" if found.status is Status.PROVED else ", but not verified"
+    proof = f"The roots at this point are certified{sure}. Other points were not asked for."
     return "\n".join([*lines, f"The ranges: {asked.ranges}.", proof]) + "\n"
 
 
@@ -70,9 +70,8 @@ def said_of_chart(found: Chart, asked: Asked) -> Said:
 
 
 def _what_is_certified(found: Chart) -> list[str]:
-    if found.certificate is not None:
-        return ["  The certificate states the number of each cell; curves are proved without certificate."]
-    return [f"  There is no certificate: {found.note}."] if found.proved and found.proofs and found.note else []
+    told = "  The certificate states the number of each cell; curves are proved without certificate."
+    return [] if found.certificate is None else [told]
 
 
 def _chart_verdict(found: Chart) -> str:
@@ -88,15 +87,19 @@ def _chart(found: Chart, asked: Asked) -> list[str]:
     total = found.counts.size if found.detail is None else found.detail.size
     for part in found.parts:
         where = ", ".join(f"{one.path} = {one.told(part.point[one.path])}" for one in asked.overs)
-        count = "open" if part.roots is None else growing(part.roots)
-        known = "by a theorem" if part.spectrum is None and part.roots is not None else f"certified at {where}"
-        lines.append(f"  {count}: {100 * part.cells / total:.3g} % of the chart, {known}")
+        share = f"{100 * part.cells / total:.3g} % of the chart"
+        known = "by a theorem" if part.spectrum is None else f"certified at {where}"
+        lines.append(f"  open: {share}" if part.roots is None else f"  {growing(part.roots)}: {share}, {known}")
     for curve in found.boundaries:
         kind = "a root passes q = 0 (divergence)" if curve.divergence else "a pair of roots crosses the real axis"
         end = "" if curve.whole else "; it could not be followed further"
         lines.append(f"  a boundary, proved through {len(curve.x)} points: {kind}{end}")
     lines += [f"  {_meeting(one, asked)}" for one in found.meetings]
-    return [*lines, f"  strips round the boundaries: {100 * (1 - found.share):.3g} % of the chart"]
+    rest = 1 - found.share - sum(part.cells for part in found.parts if part.roots is None) / total
+    return [
+        *lines,
+        f"  strips round the boundaries{', or not looked at' * (not found.proved)}: {100 * rest:.3g} % of the chart",
+    ]
 
 
 def _meeting(one: Meeting, asked: Asked) -> str:

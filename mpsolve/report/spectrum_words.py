@@ -97,7 +97,7 @@ def _known(spectrum: Spectrum) -> Iterator[str]:
 def verified(spectrum: Spectrum) -> str:
     """What the standalone verifier has confirmed."""
     if spectrum.status is Status.UNVERIFIED:
-        return "Proved, not verified: the certificate was not checked."
+        return f"Proved, not verified: {spectrum.verified or 'the certificate was not checked'}."
     return f"The standalone verifier confirms: {spectrum.verified}." if spectrum.verified else ""
 
 

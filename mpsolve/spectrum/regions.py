@@ -44,7 +44,7 @@ class Below:
     def __str__(self) -> str:
         reach = "" if self.reach is None else f" where |Re q| < {float(self.reach):.6g}"
         lower = "Im q < 0" if self.radius is None else f"Im q < 0, |q| < {float(self.radius):.6g}"
-        return f"Im q < {float(self.height):.6g}{reach}, and {lower}"
+        return f"Im q < {float(self.height):.6g}{reach}, or {lower}"
 
 
 Region = HalfPlane | Below | Rectangle

@@ -79,7 +79,7 @@ class Spectrum(Result):
     rate with no root in Im q ≤ −growth; "outside", a Rectangle that holds all roots with Im q < 0; "strips", pairs of
     a Rectangle and its number of roots; "open", the rectangles that are left.
     note: why the region is not all that was asked for. closing: what proves that the count misses nothing.
-    verified: what the standalone verifier has confirmed, in its own words.
+    verified: what the standalone verifier has confirmed, in its own words; if it came to no end, why.
     """
 
     problem: Given

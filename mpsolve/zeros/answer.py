@@ -36,7 +36,8 @@ class Zeros(Result):
     roots: disjoint balls, sorted by (Re, Im), whose multiplicities add up to `count` where this is proved.
     When undecided, `reason` says why and what helps, and `known` what is proved all the same.
     function: f as it was read; for a fraction its zeros are those of the numerator where the denominator is not 0.
-    assumed: what the proof takes on the user's word, one sentence each. verified: what the verifier has confirmed.
+    assumed: what the proof takes on the user's word, one sentence each. verified: what the verifier has confirmed,
+    or why it came to no end.
     certificate: None for a Python function that could not be read as an expression: nobody else can check that.
     """
 

@@ -23,10 +23,10 @@ def test_an_effort_is_not_spent_twice() -> None:
 def test_a_certificate_that_the_verifier_refuses_leaves_nothing_proved() -> None:
     answer = roots("sin(z)", Rectangle(-4, 4, -1, 1), check=False)
     assert answer.status is Status.UNVERIFIED
-    assert checked(answer, answer.certificate, True, silent).status is Status.PROVED
+    assert checked(answer, answer.certificate, Effort(), silent).status is Status.PROVED
     content = json.loads(answer.certificate.text)
     content["claim"]["count"] = 2
     content["sha256"] = digest({key: value for key, value in content.items() if key != "sha256"})
-    refused = checked(answer, Certificate(content), True, silent)
+    refused = checked(answer, Certificate(content), Effort(), silent)
     assert refused.status is Status.UNDECIDED
     assert refused.count is None

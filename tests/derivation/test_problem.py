@@ -10,6 +10,7 @@ from click.testing import CliRunner
 from track_models import DAMPED
 from vehicle_models import TYPICAL
 
+from mpsolve import tracks
 from mpsolve.cli import cli
 from mpsolve.derivation.problem import derivation_of
 from mpsolve.derivation.rendered import render
@@ -67,3 +68,16 @@ def test_the_command() -> None:
 def test_a_track_by_its_matrix_has_nothing_to_derive() -> None:
     with pytest.raises(InputError, match="its matrix"):
         derivation_of(Problem(DAMPED["string"].waveguide, Mass(1), v=0))
+
+
+def test_a_model_without_a_derivation_says_where_to_write_it() -> None:
+    class Wire(tracks.String, frozen=True):
+        """A string of another name."""
+
+    class Wheel(Mass, frozen=True):
+        """A mass of another name."""
+
+    with pytest.raises(InputError, match=r"write them in mpsolve/derivation/tracks\.py"):
+        derivation_of(Problem(Wire(T=1, m=1, k=1), Mass(1), v=0))
+    with pytest.raises(InputError, match=r"write them in mpsolve/derivation/vehicles\.py"):
+        derivation_of(Problem(DAMPED["string"], Wheel(1), v=0))

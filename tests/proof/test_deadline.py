@@ -45,6 +45,26 @@ def test_the_handler_is_put_back() -> None:
     assert signal.getsignal(signal.SIGPROF) is before
 
 
+def test_the_first_of_two_in_each_other_ends_the_work() -> None:
+    for outer, inner in ((0.1, 0.5), (0.5, 0.1), (0.1, None)):
+        start = process_time()
+        with pytest.raises(TimeUpError), deadline(outer), deadline(inner):
+            _busy(3.0)
+        assert process_time() - start < 0.3
+
+
+def test_what_follows_an_inner_deadline_ends_with_the_outer_one() -> None:
+    def twice() -> None:
+        with pytest.raises(TimeUpError), deadline(0.1):
+            _busy(3.0)
+        _busy(3.0)
+
+    start = process_time()
+    with pytest.raises(TimeUpError), deadline(0.3):
+        twice()
+    assert 0.25 < process_time() - start < 0.6
+
+
 def test_another_thread_runs_to_its_end() -> None:
     done: list[bool] = []
 

@@ -38,4 +38,4 @@ def test_the_speed_alone_or_a_part_of_the_range() -> None:
     assert not_whole(()) is None
     reason = not_whole((point, part))
     assert reason is not None
-    assert "v = 2 itself (waves); v from 1.5 to 2 (waves: 2)" in reason.message
+    assert "v = 2 m/s itself (waves); v from 1.5 to 2 m/s (waves: 2 m/s)" in reason.message

@@ -127,7 +127,7 @@ def test_a_part_too_short_to_be_proved_is_left_out_whole() -> None:
     """Of (1996.7, 2000] nothing is known, so that only what ends at 1965 is; and so at the start."""
     last = joined(lambda *_: False, 0, 2000)
     assert (last.proved, float(last.left_out[0].end)) == (False, 2000)
-    assert "to 2000 (shear waves" in last.reason.message  # type: ignore[union-attr]
+    assert "to 2000 m/s (shear waves" in last.reason.message  # type: ignore[union-attr]
     first = joined(lambda *_: False, 1990, 4500)
     assert (first.proved, float(first.left_out[0].start)) == (False, 1990)
 

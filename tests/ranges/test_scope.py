@@ -96,6 +96,7 @@ def test_slower_than_long_waves_the_reason_comes_at_once() -> None:
         found = crossings(ice, over={"v": ends})
         assert found.reason is not None
         assert found.reason.code == "long-waves"
+        assert " m/s (" in found.reason.message
         assert float(found.reason.numbers["speed"]) == pytest.approx(float(track.g * track.depth) ** 0.5, rel=1e-5)
         assert "v = 8.16" in str(found.reason)
     assert scope_of(ice, {"v": (Fraction("8.5"), Fraction(9))}).X > 0

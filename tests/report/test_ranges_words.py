@@ -27,7 +27,7 @@ def test_what_is_left_out_is_told(ask: tuple[object, object]) -> None:
     prove, say = ask
     said = say(prove(WIRE, over=OVER), ASKED)  # type: ignore[operator]
     assert "but see what is left out" in said.verdict
-    assert "Note: left out: v = 158.851015 itself" in said.text
+    assert "Note: left out: v = 158.851015 m/s itself" in said.text
     assert "certificate: left out" not in said.text
 
 

@@ -15,6 +15,7 @@ from mpsolve.ranges.boundary import Boundary
 from mpsolve.ranges.chart import Chart
 from mpsolve.ranges.chart_parts import Part
 from mpsolve.ranges.meeting import Meeting
+from mpsolve.report.ranges_words import trust
 from mpsolve.report.robust_words import _chart, _chart_verdict, _what_is_certified
 
 
@@ -49,10 +50,19 @@ def test_each_region_and_each_curve_has_a_line() -> None:
 
 
 def test_why_there_is_no_certificate_is_told() -> None:
-    found = replace(chart(True), note="a checker would take too long", proofs=(None,))
-    assert _what_is_certified(found) == ["  There is no certificate: a checker would take too long."]
-    assert _what_is_certified(chart(True)) == []
+    found = replace(chart(True), note="a checker would take too long", proofs=(SimpleNamespace(base=None),))
+    assert "the verifier has passed: a checker would take too long." in trust(found)
+    assert _what_is_certified(found) == []
     assert "of each cell" in _what_is_certified(replace(found, certificate=object()))[0]
+
+
+def test_a_region_that_is_not_counted_has_no_certified_point() -> None:
+    found = chart(True)
+    open_part = replace(found.parts[0], roots=None, spectrum=None)
+    other = replace(found.parts[1], spectrum=object())
+    said = _chart(replace(found, parts=(open_part, other)), Nothing())
+    assert said[1] == "  open: 50 % of the chart"
+    assert said[2].startswith("  2 roots grow: 25 % of the chart, certified at")
 
 
 def test_each_point_where_curves_meet_has_a_line() -> None:

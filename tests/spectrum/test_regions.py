@@ -55,5 +55,5 @@ def test_what_a_user_gives() -> None:
 def test_words() -> None:
     assert str(Sheet()) == "the whole physical sheet"
     assert (str(HalfPlane()), str(HalfPlane(Fraction(3)))) == ("Im q < 0", "Im q < 0, |q| < 3")
-    assert str(Below(Fraction(1, 2), Fraction(8))) == "Im q < 0.5 where |Re q| < 8, and Im q < 0"
-    assert str(Below(Fraction(1), Fraction(8), Fraction(8))) == "Im q < 1 where |Re q| < 8, and Im q < 0, |q| < 8"
+    assert str(Below(Fraction(1, 2), Fraction(8))) == "Im q < 0.5 where |Re q| < 8, or Im q < 0"
+    assert str(Below(Fraction(1), Fraction(8), Fraction(8))) == "Im q < 1 where |Re q| < 8, or Im q < 0, |q| < 8"

@@ -88,7 +88,7 @@ def table(name: str, a: Any, p: Fraction, o: Fraction) -> tuple[Any, Any]:
         pad = kappa(a["k_pad"], a["c_pad"])
         b = pad + kappa(a["k"], a["c"]) - a["m_slab"] * o**2 + a["EI_slab"] * p**4
         return (beam() + pad) * b - pad**2, b
-    assert name == "floating-ice"
+    assert name == "floating-ice", f"{name}: write its D and N here"
     plate = a["B"] * (1 + I * a["eta"] * o) * p**4 - a["rho_ice"] * a["h"] * o**2 + a["rho_water"] * a["g"]
     depth = a["rho_water"] * a["depth"] * p**2
     return (plate + I * a["c"] * o) * depth - a["rho_water"] ** 2 * o**2, one * depth
