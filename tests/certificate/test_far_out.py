@@ -1,0 +1,173 @@
+"""The theorem far out on the sheet of a beam, and the way past its branch points at rest: what each bound is for."""
+
+from __future__ import annotations
+
+import itertools
+from types import SimpleNamespace
+
+import numpy as np
+import planner as p
+import pytest
+from flint import acb, arb, fmpq
+
+from mpsolve.certificate import verify2 as v2
+
+IDEAL = dict.fromkeys(("at_contact", "square", "skewed", "decay"), arb("1e-6")) | {"size": arb("0.3")}
+
+
+def sheet(places=(0,), c="1/10", velocity="9/10", masses=None, **more):
+    eq = p.equations(p.beam("1/4", 1, 1, c, **more), velocity, masses or p.masses([70] * len(places), places))
+    return v2.Sheet.of(v2.read_track(eq["track"], eq["velocity"]), v2.read_vehicle(eq["vehicle"], None))
+
+
+def far(monkeypatch, beam, W=8, rho=None, **changed):
+    with v2.precision(64):
+        monkeypatch.setattr(v2, "far_waves", lambda *_: list((IDEAL | changed).values()))
+        v2.check_far(beam, fmpq(W), fmpq(W * W if rho is None else rho))
+
+
+ROW = [0, 3, 6, 9]
+BOUNDS = {
+    "waves at the contact": (ROW, {"at_contact": arb("0.2")}, "not what they tend to"),
+    "their product": (ROW, {"square": arb("0.6")}, "not what they tend to"),
+    "more is reflected than comes": (
+        range(40),
+        {"at_contact": arb("0.05"), "square": arb("0.05")},
+        "may reflect more",
+    ),
+    "evanescent waves that hardly fall": (ROW, {"decay": arb("0.8")}, "are not told"),
+    "evanescent waves that fall slowly": (ROW, {"decay": arb("0.5")}, "may cancel"),
+    "large evanescent waves": (ROW, {"size": arb(10)}, "may cancel"),
+    "masses next to each other": ([0, "1/100"], {}, "may cancel"),
+    "a path that ends too soon": (ROW, {"rho": fmpq(31)}, "where the theorem does not begin"),
+}
+
+
+@pytest.mark.parametrize("name", BOUNDS)
+def test_each_bound_is_needed(monkeypatch, name):
+    places, changed, why = BOUNDS[name]
+    far(monkeypatch, sheet(ROW))
+    with pytest.raises(v2.Refused, match=why):
+        far(monkeypatch, sheet(places), **changed)
+
+
+def test_strong_damping_is_not_small_where_the_theorem_begins(monkeypatch):
+    """η = 0.995 is twice c₀W², and then as far from it as if it were 0."""
+    with pytest.raises(v2.Refused, match="damping is not small"):
+        far(monkeypatch, sheet(c="199/100", velocity="1/10"), 1)
+
+
+def test_branch_points_lie_before_the_theorem_begins(monkeypatch):
+    with pytest.raises(v2.Refused, match="p-roots may meet beyond"):
+        far(monkeypatch, sheet(velocity="1/10"), 1)
+
+
+VEHICLES = {
+    "a spring": p.vehicle([[70]], [[0]], [[1]], [[1]], [0], [0]),
+    "a soft contact": p.vehicle([[70]], [[0]], [[0]], [[1]], [0], ["1/9"]),
+    "two contacts": p.vehicle([[70]], [[0]], [[0]], [[1, 1]], [0, 1], [0, 0]),
+    "masses that are one": p.vehicle(
+        [[70, 9], [9, 70]], [[0, 0]] * 2, [[0, 0]] * 2, [[1, 0], [0, 1]], [0, 1], [0, 0]
+    ),
+}
+
+
+@pytest.mark.parametrize("name", VEHICLES)
+def test_other_vehicles_than_masses_are_refused(monkeypatch, name):
+    with pytest.raises(v2.Refused, match="tight masses only"):
+        far(monkeypatch, sheet(masses=VEHICLES[name]))
+
+
+def test_waves_that_are_taken_for_each_other_are_not_followed(monkeypatch):
+    """From one disc of u to the next: the roots of U exchanged with each other are no longer a and e."""
+    D = v2.Sums.of(v2.by_power({(4, 0): arb(1), (1, 1): arb(-1), (0, 0): arb(1), (0, 4): arb(2)}))
+    near = v2.apart_near
+
+    def other(local, known):
+        found = near(local, known)
+        order = [1, 0, 2, 3]
+        z, e = ([x[k] for k in order] for x in (found.z, found.e))
+        return v2.Apart(local, z, 2, e, *local.about(z, local.D))
+
+    assert len(v2.far_waves(D, arb("0.1"))) == 5
+    monkeypatch.setattr(v2, "apart_near", other)
+    with pytest.raises(v2.Refused, match="not followed"):
+        v2.far_waves(D, arb("0.1"))
+
+
+# --- at rest, past the branch points ----------------------------------------------------------------------------
+
+
+def form(constant, linear, rest):
+    return v2.Form([[acb(constant)], [acb(linear)]], [arb(rest)], 1)
+
+
+def test_a_square_root_over_a_disc_holds_its_values():
+    rng = np.random.default_rng(2)
+    for _ in range(40):
+        a, b, e = complex(*rng.normal(size=2)), complex(*rng.normal(size=2)) * 0.3, float(rng.uniform(0, 0.2))
+        try:
+            found = v2.root(form(a, b, e), fmpq(-3, 2))
+        except v2.Refused:
+            assert abs(b) + e > 0.89 * abs(a)
+            continue
+        for u, t in itertools.product(np.exp(2j * np.pi * rng.uniform(size=5)), (0, 1)):
+            true = 1j * np.sqrt(1.5 * a) * np.sqrt((a + b * u + t * e * u.conjugate()) / a)
+            assert abs(true - complex(found.k[0][0]) - complex(found.k[1][0]) * u) <= float(found.e[0]) * (1 + 1e-9)
+
+
+@pytest.mark.parametrize(
+    ("f", "why"),
+    [
+        (form(1, 0, 0), "z = 0 lies on a piece"),
+        (form(0, "0.1", 0), "z = 0 lies on a piece"),
+        (form(-1, "0.6", "0.35"), "too close to z = 0"),
+    ],
+)
+def test_where_z_is_0_its_square_root_has_no_values(f, why):
+    with pytest.raises(v2.Refused, match=why):
+        v2.root(f, fmpq(1))
+
+
+@pytest.mark.parametrize("gap", [10, 100])
+def test_places_far_apart_are_refused(gap):
+    beam = sheet([0, gap], velocity=0)
+    edge = v2.AtRest(fmpq(1, 4), fmpq(0), beam.along(0)[0], fmpq(1))
+    with v2.precision(64):
+        bordered = v2.Bordered(beam.lower, v2.Waves(beam.track, beam.lower.places))
+        place = edge.disc(fmpq(63, 64), fmpq(127, 128))
+        if gap == 10:
+            assert len(edge.matrix(bordered, place)[0]) == 2
+        else:
+            with pytest.raises(v2.Refused, match="too far apart"):
+                edge.matrix(bordered, place)
+
+
+def test_a_velocity_has_no_way_past_the_branch_points():
+    beam, spent = sheet([0], velocity="1/10"), SimpleNamespace(pieces=0, spend=lambda _: None)
+    with pytest.raises(v2.Refused, match="another one"):
+        v2.turn_at_rest(beam, None, [fmpq(1, 2), fmpq(2)], spent)
+
+
+# --- rectangles beside the cuts -----------------------------------------------------------------------------------
+
+BOX = {"kind": "rectangle", "re": ["1/10", "1/5"], "im": ["-1/10", "1/25"]}
+UPPER = {"kind": "rectangle", "re": ["1/10", "2"], "im": ["1/10", "1"]}
+BESIDE = {
+    "to another corner": (BOX, "lower", [(0, -1), (0, 0)], "the rectangle's corner"),
+    "from elsewhere": (BOX, "lower", [(0, -2), ("1/10", "-3/20")], "the rectangle's corner"),
+    "over the line of the cuts": (BOX, "lower", [(0, -1), (0, 1), ("1/10", "-3/20")], "the rectangle's corner"),
+    "across a cut": (BOX | {"re": ["1/10", "2"], "im": ["-1/10", "1"]}, "lower", [(0, -1)], "meets a cut"),
+    "across the line above": (BOX | {"im": ["-1/10", "1"]}, "upper", [(0, -1)], "not above the cuts"),
+    "no half": (UPPER, "left", [(0, -1)], "not above the cuts"),
+    "of the mirror": (UPPER, "upper", [(0, -1), ("1/10", "-19/20"), (0, -1)], "the rectangle's corner"),
+}
+
+
+@pytest.mark.parametrize("name", BESIDE)
+def test_a_way_to_a_rectangle_is_refused(name):
+    box, half, link, why = BESIDE[name]
+    points = [[str(x) for x in z] for z in link]
+    paths = [{"kind": "link", "points": points}, {"kind": "turn", "points": points}]
+    with v2.precision(64), pytest.raises(v2.Refused, match=why):
+        v2.count_beside(sheet(), v2.read_region(box), None, {"theorem": {"half": half}, "paths": paths}, fmpq(1))
