@@ -1483,9 +1483,6 @@ class Origin:
         require(all(found.sided for found in out), "a p-root may be real next to q = 0")
         number = sum(len(found.z) for found in out)
         require(number == self.waves.track.degree, "a p-root is at infinity next to q = 0")
-        slow, others = (list(zip(found.z, found.e, strict=True)) for found in out)
-        away = all(abs(z) - e > (abs(x) + f) * r for z, e in others for x, f in slow)
-        require(away, "p-roots are not told apart next to q = 0")
         return out
 
     def kernels(self, r: Any) -> Form:
@@ -1516,7 +1513,6 @@ class Origin:
 def alone(sizes: Sequence[Any], slope: Any) -> Any:
     """e < e': exactly one |u| < e' solves Σ E_i u^i = 0, and it has |u| ≤ e, where |E_i| ≤ sizes_i, but E_1 is, to
     within its size, a number of modulus ≥ slope; by Rouché."""
-    require(slope > 0, "p-roots meet")
     row = [x / slope for x in sizes]
     e = (row[0] * 1.5 + arb(2) ** (-4 * flint.ctx.prec)).upper()
     for _ in range(12):
