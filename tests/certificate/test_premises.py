@@ -52,6 +52,7 @@ TRACKS = {
     ),
     "no equation": ({"matrix": [], "loaded": 0}, "no equations"),
     "no force moves it": (rows(RAIL, [(0, 0, -1)], [(0, 0, -1)], []), "determinant or cofactor vanishes"),
+    "two rows alike": (rows(RAIL, [(0, 0, -1)], RAIL, [(0, 0, -1)]), "determinant or cofactor vanishes"),
     "high powers": (rows([*RAIL, (12, 6, 1)], [], [], [*BELOW, (12, 6, 1)]), "too high a degree"),
 }
 
@@ -196,3 +197,24 @@ def test_matrices_are_linear_in_each_parameter():
     assert v2.read_matrix([both], 1, 2, "K") == {(1, 1): fmpq_mat(1, 1, [2])}
     with pytest.raises(v2.Refused, match="not linear"):
         v2.read_matrix([square], 1, 2, "K")
+
+
+@pytest.mark.parametrize(
+    ("h", "low", "fine"),
+    [
+        ([[1, "1"]], 1, True),
+        ([[1, "1"]], -1, False),
+        ([[-1, "1"]], 0, False),
+        ([[0, "1"]], -1, True),
+        ("0", -1, True),
+    ],
+)
+def test_compliances_with_a_parameter_are_not_below_0(h, low, fine):
+    """θ, 1/θ, 1 and 0 for low ≤ θ ≤ 2."""
+    car = bodies([[40]], [[1]], places=(0,), h=(0,)) | {"compliances": [h]}
+    box = ((fmpq(low), fmpq(2)),)
+    if fine:
+        assert v2.read_bodies(car, None, box, 9, 9).h
+    else:
+        with pytest.raises(v2.Refused, match="compliance may be negative, or infinite"):
+            v2.read_bodies(car, None, box, 9, 9)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from fractions import Fraction
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -68,6 +69,7 @@ WRONG = {
     "an axis backwards": ("unstable", 3, [(3, 0), (1, 0)], "leaves the real axis"),
     "an arc that ends early": ("disc", 1, [(0, 0), (3, 0), QUARTER[0]], "does not end on the imaginary axis"),
     "an arc over another quarter": ("disc", 1, [(0, 0), (3, 0), (-3, -1), (0, -3)], "not in its quarter"),
+    "an arc over the quarter above": ("disc", 1, [(0, 0), (3, 0), (2, 2), (3, 0), (0, -3)], "not in its quarter"),
     "an arc through 0": ("disc", 1, [(0, 0), (3, 0), (0, 0), (0, -3)], "does not hold its arc"),
     "a chord far inside": ("below disc", 1, [*UP, ("1/9", "-1/9"), (0, -3)], "does not hold its arc"),
     "the other way round": ("rectangle", 1, BOX[::-1], "not on the line"),
@@ -84,6 +86,8 @@ def test_paths_that_are_wrong(name):
 
 REGIONS = {
     "no kind": ({"kind": None}, "no kind"),
+    "a list": ([], "no kind"),
+    "no depth": ({"kind": "rectangle", "re": ["0", "1"], "im": ["1", "1"]}, "empty"),
     "another kind": ({"kind": "strip"}, "not known"),
     "no width": ({"kind": "rectangle", "re": ["1", "1"], "im": ["0", "1"]}, "empty"),
     "both sides turned": ({"kind": "rectangle", "re": ["2", "1"], "im": ["1", "-1"]}, "empty"),
@@ -138,9 +142,11 @@ def test_paths_are_of_the_kinds_asked_for_and_not_too_many(monkeypatch):
 
 
 def test_a_theorem_where_none_is_needed_is_refused():
-    for kind in ("disc", "rectangle"):
+    for kind, velocity in (("disc", 1), ("rectangle", 1), ("below", 0)):
         with pytest.raises(v2.Refused, match="needs no theorem"):
-            v2.count_roots(None, v2.read_region({"kind": kind, **RIGHT[kind][0]}), [], {}, None)
+            v2.count_roots(
+                None, v2.read_region({"kind": kind, **RIGHT[kind][0]}), [], {}, SimpleNamespace(v=velocity)
+            )
 
 
 def test_a_turn_between_two_numbers_tells_none():
