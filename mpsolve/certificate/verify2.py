@@ -2785,8 +2785,8 @@ def root(f: Form, factor: Any) -> Form:
 
 
 def series(f: Sequence[Form], x: Sequence[Any], order: int, rho: Any) -> Form:
-    """Σ f_n xⁿ/n! at each x; |f_n| ≤ ρ^(n − order) |f_order|; what more than 2ρ|x| terms leave out is at most twice its
-    first term."""
+    """Σ f_n xⁿ/n! at each x; |f_n| ≤ ρ^(n − order) |f_order|, so what more than 2ρ|x| terms leave out is at most
+    twice its first term."""
     n, total = len(x), None
     power = [acb(1)] * n
     for k, one in enumerate(f):
