@@ -124,9 +124,7 @@ class Track:
         for z1, z2, kappa in blocks:
             need(z1 < z2 and (last is None or last <= z1) and kappa > 0, "the blocks are not in order")
             last = z2
-            need(
-                v * z2 * (high if z2 > 0 else low) < X and (z2 - z1) * low > sieve, "a block is too far or too narrow"
-            )
+            need(v * z2 * (high if z2 > 0 else low) < X, "a block is too far")
             need(
                 x.positive_on_box(x.add(w, d, -kappa), (z1, z2, Fraction(0), tau)), "a block takes less than it says"
             )

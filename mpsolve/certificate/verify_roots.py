@@ -135,13 +135,13 @@ class Function:
         return self.depends[k] and (name in (*CUT, "atan") or (name == "div" and self.depends[self.steps[k][2]]))
 
     def split(self, output: int) -> None:
-        """f is a constant times the product of these factors; a constant factor must not be 0."""
+        """f is a constant times the product of these factors; no constant factor or divisor may be 0."""
         stack = [(output, 1)]
         while stack:
             k, power = stack.pop()
             step = self.steps[k]
             if not self.depends[k]:
-                require(self.ready()[k].abs_lower() > 0, "a constant factor of the function may be 0")
+                self.require_constant(k)
             elif step[0] == "mul":
                 stack += [(step[2], power), (step[1], power)]
             elif step[0] == "pow":
@@ -149,12 +149,17 @@ class Function:
             elif step[0] == "sub" and self.steps[step[1]] == ("number", fmpq(0)):
                 stack.append((step[2], power))
             elif step[0] == "div" and not self.depends[step[2]]:
-                require(self.ready()[step[2]].is_finite(), "a constant factor of the function is not finite")
+                self.require_constant(step[2])
                 stack.append((step[1], power))
             else:
                 self.factors[k] = self.factors.get(k, 0) + power
             require(len(stack) <= MAX_STEPS and power <= MAX_POWER**2, "the function has too many factors")
             require(sum(self.factors.values()) <= MAX_POWER**2, "the function has too many factors")
+
+    def require_constant(self, k: int) -> None:
+        with precision(1024):
+            value = self.ready()[k]
+        require(value.is_finite() and value.abs_lower() > 0, "a constant factor of the function may be 0 or infinite")
 
     def ready(self) -> dict[int, Any]:
         bits = flint.ctx.prec

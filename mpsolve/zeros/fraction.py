@@ -87,7 +87,7 @@ def factors(steps: Sequence[Step], output: int) -> dict[int, int]:
 
 
 def product_of(steps: Sequence[Step], output: int) -> tuple[dict[int, int], list[int]]:
-    """The factors of an output that depend on z, with their powers, and the constant ones."""
+    """The factors of an output that depend on z, with their powers, and the constant ones, divisors too."""
     program = Program(list(steps))
     depends, found = dependent(steps), Factors()
     constants: list[int] = []
@@ -104,7 +104,7 @@ def product_of(steps: Sequence[Step], output: int) -> tuple[dict[int, int], list
         elif step[0] == "sub" and program.rational(step[1]) == 0:
             stack.append((step[2], power))
         elif step[0] == "div" and not depends[step[2]]:
-            stack.append((step[1], power))
+            stack += [(step[2], -power), (step[1], power)]
         else:
             found[k] = found.get(k, 0) + power
     return found, constants

@@ -61,11 +61,11 @@ def of_expression(expression: Expression) -> Given:
 
 
 def _require_constants(expression: Expression, output: int) -> None:
-    """InputError where a constant factor is 0, or cannot be told from it."""
+    """InputError where a constant factor or divisor is 0, or cannot be told from it."""
     _, constants = product_of(expression.steps, output)
     if not constants:
         return
-    with precision(64):
+    with precision(1024):
         for k in constants:
             steps, _ = reduced(expression.steps, [k])
             try:
@@ -74,7 +74,7 @@ def _require_constants(expression: Expression, output: int) -> None:
                 nonzero = False
             if not nonzero:
                 stated = f"has the constant factor {shown(expression.steps, k, 60)}, which may be 0"
-                raise InputError("f", f"{stated}: leave it out, or give a function that does not vanish everywhere")
+                raise InputError("f", f"{stated}: leave it out, or give a function that has values other than 0")
 
 
 def _step(program: Program, f: object) -> int:

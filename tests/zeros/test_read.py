@@ -63,10 +63,24 @@ def test_a_function_that_does_something_else_to_a_symbol_is_refused() -> None:
         read_function(lambda z: z.sin() if isinstance(z, acb) else z, None, False)
 
 
-@pytest.mark.parametrize("f", ["z*sin(0)", "tan(0)*z/(z + 1)", "(sin(pi) + 0*z)*exp(z)", "z/(sin(pi)*(z + 2))"])
+@pytest.mark.parametrize(
+    "f",
+    [
+        "z*sin(0)",
+        "tan(0)*z/(z + 1)",
+        "(sin(pi) + 0*z)*exp(z)",
+        "z/(sin(pi)*(z + 2))",
+        "z/sin(pi)",
+        "z/(2 - sqrt(2)**2)",
+    ],
+)
 def test_a_constant_factor_that_may_be_0_is_refused(f: str) -> None:
-    with pytest.raises(InputError):
+    with pytest.raises(InputError, match="f: "):
         read_function(f, None, False)
+
+
+def test_a_small_constant_factor_is_not_taken_for_0() -> None:
+    assert read_function("z*(exp(1/10**40) - 1)/(cos(1/10**40) - 1)", None, False).denominator is None
 
 
 @pytest.mark.parametrize("f", [3, None, "3", "pi", (1, 2, 3), lambda _: 5, "1/z", [], lambda: 0])
