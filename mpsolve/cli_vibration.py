@@ -125,10 +125,10 @@ def film(source: ProblemFile, path: Path, last: float, initial: str, rough: Roug
 
 def _summary(found: Vibration) -> list[str]:
     rows = abs(found.rail).max(0)
-    size, known = float(rows[rows == rows].max()), float(found.times[rows == rows].max())
+    largest, known = float(rows[rows == rows].max()), float(found.times[rows == rows].max())
     lines = [
         "units: m, s, N, rad; the estimated errors are not proved.",
-        f"rail: largest deflection {size:.6g} m, estimated error {found.error.rail:.1e} m; contact forces: estimated "
+        f"rail: largest deflection {largest:.6g} m, estimated error {found.error.rail:.1e} m; contact forces: estimated "
         f"error {found.error.contact_force:.1e} N.",
     ]
     for part in found.induced:
