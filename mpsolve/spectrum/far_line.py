@@ -26,7 +26,7 @@ _PARTS = 16  # of the range of 1/λ²
 _ROUNDS = 12
 _LESS = 0.99  # than 1, for a checker with wider bounds
 _BEYOND = 1.2  # how far, at least, beyond the last frequency at which p-roots meet
-_STEPS, _OCTAVES = 8, 24  # of the reach: of each octave, and of them
+_STEPS, _OCTAVES = 8, 48  # of the reach: of each octave, and of them
 
 
 @frozen
