@@ -128,8 +128,8 @@ def _summary(found: Vibration) -> list[str]:
     largest, known = float(rows[rows == rows].max()), float(found.times[rows == rows].max())
     lines = [
         "units: m, s, N, rad; the estimated errors are not proved.",
-        f"rail: largest deflection {largest:.6g} m, estimated error {found.error.rail:.1e} m; contact forces: estimated "
-        f"error {found.error.contact_force:.1e} N.",
+        f"rail: largest deflection {largest:.6g} m, estimated error {found.error.rail:.1e} m; "
+        f"contact forces: estimated error {found.error.contact_force:.1e} N.",
     ]
     for part in found.induced:
         grows = "grows" if part.q.imag < 0 else "decays"
