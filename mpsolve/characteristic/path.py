@@ -36,6 +36,22 @@ class Path:
         return len(self.points) - 1
 
 
+@frozen
+class Proved:
+    """Paths whose pieces all passed; for each the change of arg Δ̂ and a bound of its error (0 unless it turns).
+
+    corners: G between the places (middle, radius) at the last point of each path.
+    """
+
+    paths: tuple[Path, ...]
+    turns: tuple[tuple[float, float], ...]
+    corners: tuple[tuple[Any, Any], ...]
+
+    @property
+    def pieces(self) -> int:
+        return sum(path.pieces for path in self.paths)
+
+
 def discs(a: Any, b: Any) -> tuple[Complexes, Reals]:
     """Midpoints and radii in σ̂ of discs that hold the pieces from a to b, and any whose ends are rounded to a and b.
 

@@ -14,7 +14,7 @@ and at a point two pieces have the pair of the thin splitting there.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import fsum
 from typing import Any
@@ -24,13 +24,13 @@ import numpy as np
 from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.discs import Splittings, linked, split
 from mpsolve.characteristic.origin import Origin
-from mpsolve.characteristic.path import Kind, Path, between, discs, on_arc
+from mpsolve.characteristic.path import Kind, Path, Proved, between, discs, on_arc
 from mpsolve.characteristic.start import Start
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.float64 import distinct
 from mpsolve.numbers.jets import UP, Jet, U
-from mpsolve.proof.cover import cover, evened, halved, joined
+from mpsolve.proof.cover import cover, covered, evened, halved, joined
 from mpsolve.proof.definite import positive
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.turning import Regular, pivot_arguments, regular
@@ -42,22 +42,6 @@ ROOM = 1.03
 """Pieces are planned on discs this much larger, so that a checker with wider bounds passes them too."""
 _BATCH = 2**19
 """Entries of the matrices of pieces that are tried at once: effort is asked about in between."""
-
-
-@frozen
-class Proved:
-    """Paths whose pieces all passed; for each the change of arg Δ̂ and a bound of its error (0 unless it turns).
-
-    corners: G between the places (middle, radius) at the last point of each path.
-    """
-
-    paths: tuple[Path, ...]
-    turns: tuple[tuple[float, float], ...]
-    corners: tuple[tuple[Any, Any], ...]
-
-    @property
-    def pieces(self) -> int:
-        return sum(path.pieces for path in self.paths)
 
 
 @frozen
@@ -80,25 +64,33 @@ class Paths:
     def plan(self, kind: Kind, points: Any, effort: Effort, arc: float | None = None) -> Path:
         """A path through `points` whose pieces pass the test of its kind, links left aside."""
         points = np.asarray(points, complex)
+        if kind == "turn" and arc is None:
+            return self.plan_turns([points], effort)[0]
         if len(points) < 2:
             return Path(kind, points)
         test = lambda a, b: self._tried(kind, a, b, effort)[0]  # noqa: E731
-        if kind == "turn" and arc is None:
-            return Path(kind, cover(self._spread(points, effort), test, effort))
         found = cover(points, test, effort, middle=between(arc))
         return Path(kind, joined(found, test, effort, kind == "link") if arc is None else found, arc)
 
-    def _spread(self, points: Any, effort: Effort) -> Any:
+    def plan_turns(self, parts: Sequence[Any], effort: Effort) -> list[Path]:
+        """Paths that turn, through the points of each part; pieces of all are tried at once."""
+        long = self._spread([part for part in parts if len(part) > 1], effort)
+        found = iter(covered(long, lambda a, b: self._tried("turn", a, b, effort)[0], effort))
+        return [Path("turn", next(found) if len(part) > 1 else part) for part in parts]
+
+    def _spread(self, parts: Sequence[Any], effort: Effort) -> Sequence[Any]:
         """Points between which the determinant is about as hard to keep from 0, as far as some rounds tell."""
-        for _ in range(_SPREADS):
-            effort.spend(len(points) - 1)
-            passed, theta = self._tried("turn", points[:-1], points[1:], effort)
+        for _ in range(_SPREADS if parts else 0):
+            ends = np.cumsum([len(part) - 1 for part in parts])
+            effort.spend(int(ends[-1]))
+            a, b = (np.concatenate([part[of] for part in parts]) for of in (slice(None, -1), slice(1, None)))
+            passed, theta = self._tried("turn", a, b, effort)
             hardness = np.minimum(np.nan_to_num(theta / _HARD, nan=np.inf) ** _ORDER, _ROUGH)
             hardness = np.where(passed | (hardness > 1), hardness, 2.0)
-            points = evened(points, hardness)
+            parts = [evened(*one) for one in zip(parts, np.split(hardness, ends[:-1]), strict=True)]
             if (hardness < _SMOOTH).all():
                 break
-        return points
+        return parts
 
     def _batches(self, pieces: int, effort: Effort) -> Iterator[slice]:
         """Some pieces at a time; EffortError in between where the effort is spent."""

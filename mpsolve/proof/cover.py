@@ -6,7 +6,7 @@ points are moved so that all pieces are equally hard.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -44,13 +44,24 @@ def cover(points: Any, test: Test, effort: Effort, smallest: float = 2.0**-40, m
     Pieces stay in order, so the result runs through all `points`. `smallest` is relative to the length of the path.
     Raises OpenPieceError where halving does not help, EffortError where the effort is spent.
     """
-    points = np.asarray(points, complex)
-    length = float(np.abs(np.diff(points)).sum())
-    passed = np.zeros(len(points) - 1, bool)
+    return covered([points], test, effort, smallest, middle)[0]
+
+
+def covered(
+    parts: Sequence[Any], test: Test, effort: Effort, smallest: float = 2.0**-40, middle: Middle = midpoints
+) -> list[Any]:
+    """Each of several polylines as by `cover`, pieces of all tried at once."""
+    if not parts:
+        return []
+    points, ends = np.concatenate(parts).astype(complex), np.cumsum([len(part) for part in parts])[:-1]
+    gaps = np.isin(np.arange(1, len(points)), ends)  # from part to part
+    length = float(np.abs(np.diff(points))[~gaps].sum())
+    passed = gaps
     while not passed.all():
         a, b = points[:-1][~passed], points[1:][~passed]
         effort.spend(len(a))
         found = np.array(test(a, b), bool)
+        passed = passed.copy()
         passed[~passed] = found
         a, b = a[~found], b[~found]
         short = np.abs(b - a) < smallest * length
@@ -58,8 +69,9 @@ def cover(points: Any, test: Test, effort: Effort, smallest: float = 2.0**-40, m
         short |= (between == a) | (between == b)
         if short.any():
             raise OpenPieceError(complex((a[short][0] + b[short][0]) / 2), smallest * length)
+        gaps = np.insert(gaps, np.flatnonzero(~passed) + 1, np.zeros(len(a), bool))
         points, passed = halved(points, passed, between)
-    return points
+    return np.split(points, np.flatnonzero(gaps) + 1)
 
 
 def halved(points: Complexes, passed: Truths, between: Complexes) -> tuple[Complexes, Truths]:

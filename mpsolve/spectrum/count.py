@@ -10,8 +10,8 @@ import numpy as np
 
 from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.origin import origin, waves_meet_at_zero
-from mpsolve.characteristic.path import Path
-from mpsolve.characteristic.paths import ROOM, Paths, Proved
+from mpsolve.characteristic.path import Path, Proved
+from mpsolve.characteristic.paths import ROOM, Paths
 from mpsolve.characteristic.start import Start, start
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen

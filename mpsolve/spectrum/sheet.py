@@ -17,8 +17,8 @@ import numpy as np
 from flint import arb
 
 from mpsolve.characteristic.disc_matrix import Arrays
-from mpsolve.characteristic.path import Path
-from mpsolve.characteristic.paths import ROOM, Paths, Proved
+from mpsolve.characteristic.path import Path, Proved
+from mpsolve.characteristic.paths import ROOM, Paths
 from mpsolve.characteristic.start import Start, start
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
@@ -113,7 +113,7 @@ def count_sheet(line: Line, effort: Effort, room: float = ROOM) -> SheetCount:
     if rest is not None:
         at = float(rest.z[-1])
         way = _way(line, at, far.reach if far else at, [])
-        along = _proved(below, first, way, [], effort)
+        along = _proved(below, _link(below, way[0], effort), way, [], effort)
         total = _total(line, first, at, far, [*along.turns, *rest.turns])
         return SheetCount(line, total, first, at, at, Half(along.paths), Half(), far, effort.spent, rest)
     end = _passive_end(line)
@@ -126,9 +126,9 @@ def count_sheet(line: Line, effort: Effort, room: float = ROOM) -> SheetCount:
     ways = [_way(line, begin, far.reach if far else end, round_below)]
     if far and end > begin:
         ways.append(_way(line, begin, end, round_above))
-    rounds = (round_below, round_above)
+    rounds, link = (round_below, round_above), _link(below, ways[0][0], effort)
     proved = [
-        _proved(paths, first, way, loops, effort)
+        _proved(paths, link, way, loops, effort)
         for paths, way, loops in zip((below, above), ways, rounds, strict=False)
     ]
     turns = [turn for one in proved for turn in one.turns]
@@ -197,11 +197,13 @@ def _edge(line: Line, a: float, b: float) -> Any:
     return short[np.concatenate([[True], np.diff(short) > 0])] + 0j
 
 
-def _proved(paths: Paths, first: Start, way: list[Complexes], loops: list[Loop], effort: Effort) -> Proved:
-    """The link from the start to the begin of the way, and the turns along its parts, between which are loops."""
-    below = complex(0, -first.depth)
-    link = np.linspace(below, way[0][0], 7)
-    link = np.concatenate([link[:-1].astype(np.complex64).astype(complex), way[0][:1]])
-    turns = (paths.plan("turn", part, effort) for part in way)
+def _link(paths: Paths, end: Complexes, effort: Effort) -> Path:
+    """From the start to the begin of a way; it tells of the track alone."""
+    link = np.linspace(complex(0, -paths.start.depth), end[0], 7)
+    return paths.plan("link", np.concatenate([link[:-1].astype(np.complex64).astype(complex), end[:1]]), effort)
+
+
+def _proved(paths: Paths, link: Path, way: list[Complexes], loops: list[Loop], effort: Effort) -> Proved:
+    """The link to the begin of the way, and the turns along its parts, between which are loops."""
     reached = tuple(complex(loop.last) for loop in loops)
-    return paths.prove((paths.plan("link", link, effort), *turns), effort, reached)
+    return paths.prove((link, *paths.plan_turns(way, effort)), effort, reached)

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from mpsolve.characteristic.paths import Paths, Proved
+from mpsolve.characteristic.path import Proved
+from mpsolve.characteristic.paths import Paths
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.winding import number_of_zeros
 

@@ -77,6 +77,18 @@ def test_the_turn_is_that_of_many_small_steps() -> None:
     assert abs(turn) > 0.5
 
 
+def test_turns_that_are_planned_together_all_pass() -> None:
+    """A part of one point is no piece; each begins and ends where it is asked to."""
+    paths, parts = some_paths(), [np.linspace(0, 1.2, 3) + 0j, np.array([1.5 + 0j]), np.array([1.6, 2.4 + 0j])]
+    found = paths.plan_turns(parts, Effort())
+    assert [(one.points[0], one.points[-1]) for one in found] == [(part[0], part[-1]) for part in parts]
+    assert found[1].pieces == 0
+    link = paths.plan("link", np.array([-1j * paths.start.depth, 0]), Effort())
+    for part, one in ((0, found[0]), (2, found[2])):
+        whole = paths.prove((link, Path("turn", one.points)), Effort(), (complex(parts[part][0]),))
+        assert whole.paths[1].pieces <= 1.5 * paths.plan("turn", parts[part], Effort()).pieces
+
+
 def test_paths_must_join_and_begin_at_the_start() -> None:
     paths = some_paths()
     link, turn = chain(paths)

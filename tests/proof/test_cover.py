@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mpsolve.errors import EffortError
-from mpsolve.proof.cover import OpenPieceError, cover, evened, joined
+from mpsolve.proof.cover import OpenPieceError, cover, covered, evened, joined
 from mpsolve.proof.effort import Effort
 
 POINTS = st.lists(st.complex_numbers(max_magnitude=100, allow_nan=False), min_size=2, max_size=8)
@@ -38,6 +38,22 @@ def test_a_path_that_comes_back_to_a_point_is_not_cut_short() -> None:
     found = cover(points, shorter_than(lambda a: np.where(a.real > 0.4, 0.3, 1.0)), Effort())
     assert np.abs(np.diff(found)).sum() == pytest.approx(np.abs(np.diff(points)).sum())
     assert found[-1] == -3
+
+
+@given(st.lists(POINTS, max_size=4), st.floats(0.5, 30))
+def test_several_paths_are_refined_as_each_by_itself(parts: list[list[complex]], length: float) -> None:
+    """Whatever lies between them; what is too short is so of all of them."""
+    test = shorter_than(lambda _: length)
+    found = covered(parts, test, Effort())
+    assert len(found) == len(parts)
+    for one, points in zip(found, parts, strict=True):
+        np.testing.assert_array_equal(one, cover(points, test, Effort()))
+
+
+def test_several_paths_come_back_to_their_pieces() -> None:
+    found = covered([[0, 1, 0], [1, 0, 1], [2, 2.5]], shorter_than(lambda _: 0.5), Effort())
+    assert [one.tolist() for one in found] == [[0, 0.5, 1, 0.5, 0], [1, 0.5, 0, 0.5, 1], [2, 2.5]]
+    assert covered([], shorter_than(lambda _: 0.5), Effort()) == []
 
 
 def test_no_more_pieces_than_twice_what_is_needed() -> None:
