@@ -42,15 +42,17 @@ def turn_round(
         m, r = discs(points[:-1], points[1:])
         nodes = _followed(arrays, np.stack([1j * points[:-1], m], 1).ravel(), first.z[0])
         nodes = np.concatenate([nodes, _followed(arrays, 1j * points[-1:], nodes[-1])])
-        thin, at_points, good = _matrices(arrays, 1j * points, np.zeros(len(points)), first.up, nodes[::2], pole)
-        pieces, over, fine = _matrices(arrays, m, r * room, first.up, nodes[1::2], pole)
+        nodes = np.concatenate([nodes[::2], nodes[1::2]])  # of the points, then of the pieces
+        middles, radii = np.concatenate([1j * points, m]), np.concatenate([np.zeros(len(points)), r * room])
+        known, matrices, good = _matrices(arrays, middles, radii, first.up, nodes, pole)
         here, ahead = np.arange(len(m)), np.arange(1, len(points))
-        passed = fine & good[here] & good[ahead]
-        passed &= linked(pieces, thin.take(here)) & linked(pieces, thin.take(ahead))
+        over = len(points) + here
+        passed, pieces = good[over] & good[here] & good[ahead], known.take(over)
+        passed &= linked(pieces, known.take(here)) & linked(pieces, known.take(ahead))
         joined = linked(pieces.take([0, -1, part]), first.take([0, 0, 1]))
         turns, errors = np.zeros(len(m)), np.zeros(len(m))
-        for A, A_over in zip(at_points, over, strict=True):
-            piece = regular(A_over)
+        for A in matrices:
+            piece = regular(A.take(over))
             start, lost, sharp = pivot_arguments(piece, A.take(here))
             end, lost_too, sharp_too = pivot_arguments(piece, A.take(ahead))
             passed &= piece.good & sharp & sharp_too

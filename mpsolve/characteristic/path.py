@@ -92,3 +92,12 @@ def on_arc(path: Path) -> Any:
     off = np.maximum(np.abs(np.abs(a) - path.arc), np.abs(np.abs(b) - path.arc)) + 8 * U * path.arc
     near = (off <= _OFF_ARC * (1 - 8 * U) * np.abs(b - a)) & (np.abs(b - a) < path.arc)
     return near | ~_curved(a, b, path.arc)
+
+
+def check_chain(paths: tuple[Path, ...], depth: float, reached: tuple[complex, ...] = ()) -> None:
+    """Every path begins where an earlier one ends, the first at −i depth, or at a reached point; ValueError else."""
+    ends = [complex(0, -depth), *reached]
+    for path in paths:
+        if complex(path.points[0]) not in ends:
+            raise ValueError("a path begins where no earlier one ends")
+        ends.append(complex(path.points[-1]))

@@ -24,7 +24,7 @@ import numpy as np
 from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.discs import Splittings, linked, split
 from mpsolve.characteristic.origin import Origin
-from mpsolve.characteristic.path import Kind, Path, Proved, between, discs, on_arc
+from mpsolve.characteristic.path import Kind, Path, Proved, between, check_chain, discs, on_arc
 from mpsolve.characteristic.start import Start
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
@@ -40,8 +40,11 @@ _HARD, _ORDER = 0.88, 0.6  # θ of a piece that is aimed at where pieces are spr
 _SPREADS, _ROUGH, _SMOOTH = 4, 4.0, 3.0
 ROOM = 1.03
 """Pieces are planned on discs this much larger, so that a checker with wider bounds passes them too."""
-_BATCH = 2**19
-"""Entries of the matrices of pieces that are tried at once: effort is asked about in between."""
+_BATCH = 2**19  # entries of the matrices of pieces that are tried at once
+_ENDS = slice(None, -1), slice(1, None)  # which points pieces begin and end at
+
+Waves = tuple[Splittings, Jet, Any]
+"""Splittings, G between the places, and where it is bounded."""
 
 
 @frozen
@@ -83,7 +86,7 @@ class Paths:
         for _ in range(_SPREADS if parts else 0):
             ends = np.cumsum([len(part) - 1 for part in parts])
             effort.spend(int(ends[-1]))
-            a, b = (np.concatenate([part[of] for part in parts]) for of in (slice(None, -1), slice(1, None)))
+            a, b = (np.concatenate([part[of] for part in parts]) for of in _ENDS)
             passed, theta = self._tried("turn", a, b, effort)
             hardness = np.minimum(np.nan_to_num(theta / _HARD, nan=np.inf) ** _ORDER, _ROUGH)
             hardness = np.where(passed | (hardness > 1), hardness, 2.0)
@@ -92,12 +95,16 @@ class Paths:
                 break
         return parts
 
+    @property
+    def _at_once(self) -> int:
+        """How many pieces are tried at once: effort is asked about in between."""
+        return max(1, _BATCH // (self.arrays.reduced.bodies + self.arrays.reduced.contacts) ** 2)
+
     def _batches(self, pieces: int, effort: Effort) -> Iterator[slice]:
         """Some pieces at a time; EffortError in between where the effort is spent."""
-        size = max(1, _BATCH // (self.arrays.reduced.bodies + self.arrays.reduced.contacts) ** 2)
-        for at in range(0, pieces, size):
+        for at in range(0, pieces, self._at_once):
             effort.spend(0)
-            yield slice(at, min(at + size, pieces))
+            yield slice(at, min(at + self._at_once, pieces))
 
     def _tried(self, kind: Kind, a: Any, b: Any, effort: Effort) -> tuple[Any, Any]:
         """Which pieces pass on discs larger by `room`, and θ of those that turn."""
@@ -106,13 +113,15 @@ class Paths:
         theta = [piece.theta for _, _, piece in found if piece is not None]
         return np.concatenate([passed for _, passed, _ in found]), np.concatenate(theta) if theta else None
 
-    def _evaluate(self, kind: Kind, a: Any, b: Any, room: float = 1.0) -> tuple[Splittings, Any, Regular | None]:
+    def _evaluate(
+        self, kind: Kind, a: Any, b: Any, room: float = 1.0, known: Waves | None = None
+    ) -> tuple[Splittings, Any, Regular | None]:
         m, r = discs(a, b)
         r = r * room
         if kind == "link" and self.origin is None:
             s = split(self.arrays.D, m, r, self.up)
             return s, s.good, None
-        s, G, good = self._over(a, b, m, r)
+        s, G, good = known or self._over(m, r, _at_zero(a, b), 2 * r)
         if kind == "link":
             return s, np.where(_at_zero(a, b), good, s.good), None
         if kind == "turn":
@@ -124,12 +133,10 @@ class Paths:
         drift = 64 * U * (np.abs(m) + r)  # the piece runs through its rounded middle, along a rounded direction
         return s, good & positive(sigma * G, 1j * (b - a) / np.abs(b - a), drift), None
 
-    def _over(self, a: Any, b: Any, m: Any, r: Any) -> tuple[Splittings, Jet, Any]:
-        """(splittings, G between the places, where it is bounded) on the discs of the pieces."""
+    def _over(self, m: Any, r: Any, at_zero: Any, radius: Any) -> Waves:
+        """On discs, some of which stand for others round σ̂ = 0."""
         s, G, good = self.arrays.evaluate(m, r, self.up)
-        if self.origin is None:
-            return s, G, good
-        return s, *self._at_origin(G, good, _at_zero(a, b), 2 * r)
+        return (s, G, good) if self.origin is None else (s, *self._at_origin(G, good, at_zero, radius))
 
     def _at_origin(self, G: Jet, good: Any, where: Any, radius: Any) -> tuple[Jet, Any]:
         """G and where it is bounded, with the discs round σ̂ = 0 put in."""
@@ -146,7 +153,7 @@ class Paths:
 
         reached: further points at which paths may begin, as the pair of their thin splitting is known to be the one.
         """
-        _check_chain(paths, self.start.depth, reached)
+        check_chain(paths, self.start.depth, reached)
         for _ in range(_ROUNDS):
             with np.errstate(all="ignore"):
                 proved = self._pass(paths, effort)
@@ -162,17 +169,23 @@ class Paths:
         points = distinct(every)
         index = np.searchsorted(points, every)
         effort.spend(len(points) + sum(path.pieces for path in paths))
-        thin, G, good = self.arrays.evaluate(1j * points, np.zeros(len(points)), self.up)
-        first = thin.take(np.array([index[0]]))
-        if not linked(first, self.start.splitting).all():
+        felt = [path for path in paths if path.kind != "link"]
+        together = felt if sum(path.pieces for path in felt) <= self._at_once else []
+        a, b = (np.concatenate([points[:0], *(path.points[of] for path in together)]) for of in _ENDS)
+        m, r = discs(a, b)
+        at_zero, none = np.concatenate([points == 0, _at_zero(a, b)]), np.zeros(len(points))
+        thin, G, good = self._over(
+            np.concatenate([1j * points, m]), np.concatenate([none, r]), at_zero, np.concatenate([none, 2 * r])
+        )
+        if not linked(thin.take(index[:1]), self.start.splitting).all():
             raise PrecisionError("the splitting at the start is not found again to within rounding")
-        if self.origin is not None:
-            G, good = self._at_origin(G, good, points == 0, np.zeros(len(points)))
-        turns, refined, whole, at = [], [], True, 0
+        turns, refined, whole, at, beyond = [], [], True, 0, len(points)
         for path in paths:
             here = index[at : at + len(path.points)]
             at += len(path.points)
-            passed, turn = self._path(path, here, thin, points, G, good, effort)
+            ready = beyond if together and path.kind != "link" else None
+            beyond += 0 if ready is None else path.pieces
+            passed, turn = self._path(path, here, (thin, G, good), points, ready, effort)
             turns.append(turn)
             whole = whole and bool(passed.all())
             middles = between(path.arc)(path.points[:-1][~passed], path.points[1:][~passed])
@@ -186,15 +199,21 @@ class Paths:
         return Proved(paths, tuple(turns), corners)
 
     def _path(
-        self, path: Path, here: Any, thin: Splittings, points: Any, G: Jet, good: Any, effort: Effort
+        self, path: Path, here: Any, waves: Waves, points: Any, ready: int | None, effort: Effort
     ) -> tuple[Any, tuple[float, float]]:
-        """(which pieces pass, (turn, its error)) of one path; `here` numbers its points among all `points`."""
+        """(which pieces pass, (turn, its error)) of one path; `here` numbers its points among all `points`.
+
+        waves: at all points, and from number `ready` on those over its pieces.
+        """
+        thin, G, good = waves
         passed, turns, errors = on_arc(path), [], []
         for part in self._batches(path.pieces, effort):
             ends = slice(part.start, part.stop + 1)
             some, at = replace(path, points=path.points[ends]), here[ends]
             first, last = at[:-1], at[1:]
-            s, fine, piece = self._evaluate(path.kind, some.points[:-1], some.points[1:])
+            rows = None if ready is None else np.arange(ready + part.start, ready + part.stop)
+            known = None if rows is None else (thin.take(rows), G.take(rows), good[rows])
+            s, fine, piece = self._evaluate(path.kind, some.points[:-1], some.points[1:], known=known)
             fine = fine & self._linked(some, s, thin.take(first), thin.take(last))
             if piece is not None:
                 A = self.arrays.matrix(G.take(at), 1j * points[at])
@@ -227,12 +246,3 @@ def _at_zero(a: Any, b: Any) -> Any:
 def _middles(a: Any, b: Any, m: Any, origin: Origin | None) -> Any:
     """The middles of the discs: σ̂ = 0 for those that `origin` serves."""
     return m if origin is None else np.where(_at_zero(a, b), 0, m)
-
-
-def _check_chain(paths: tuple[Path, ...], depth: float, reached: tuple[complex, ...] = ()) -> None:
-    """Every path begins where an earlier one ends, the first at −i depth, or at a reached point; ValueError else."""
-    ends = [complex(0, -depth), *reached]
-    for path in paths:
-        if complex(path.points[0]) not in ends:
-            raise ValueError("a path begins where no earlier one ends")
-        ends.append(complex(path.points[-1]))

@@ -21,6 +21,7 @@ _STEPS = 40
 _FEW, _SHORT = 8, (14, 20, 40)  # roots; steps to so few from the best hints, from more, and from all without crowds
 _AROUND, _ON_LINE = 0.3, 1e-9  # of an area's size: how far outside points may wander, and roots may be
 _CROWD = 1e-3  # relative: hints that are closer give one start
+_NEXT = 0.03  # relative: the first starts are so far from each other
 _ARRIVED = 1e-9  # a step relative to |q|: the next one is of the size of its square
 _SAME = 1e-7  # relative to the size of the rectangle: closer ones are taken for one root
 
@@ -96,7 +97,7 @@ def find_roots(
             if all_found(found):
                 return found[before:]
             starts = landed[area.holds(landed, (_AROUND if level else _ON_LINE) * area.size)]
-            starts = starts[: 8 * count + 20 if level else 2 * count + 8]
+            starts = starts[: 8 * count + 20] if level else _apart(starts)[: 4 * count + 8]
             found = _newton(function, area, starts, found, all_found, steps)
     more: Callable[[], Any] = cache(later) if later is not None else lambda: hints[:0]
     ways: list[Callable[[Area], Any]] = [lambda _: more()]
@@ -136,6 +137,15 @@ def _spread(points: Any) -> Any:
         if not kept or abs(q - kept[-1]) > _CROWD * abs(q):
             kept.append(q)
     return np.array(kept, complex)
+
+
+def _apart(points: Any) -> Any:
+    """The points without those that all but repeat one before: of steps that lead to one place one is enough."""
+    kept = points[:0]
+    for q in points:
+        if not (np.abs(kept - q) < _NEXT * np.abs(q)).any():
+            kept = np.append(kept, q)
+    return kept
 
 
 def nearest_root(reduced: Reduced, q: complex) -> complex | None:

@@ -41,14 +41,14 @@ def areas_of(reduced: Reduced, count: Count | SheetCount) -> tuple[Area, ...]:
 
 
 def _on_sheet(count: SheetCount) -> tuple[Area, ...]:
-    """Both sides of the line of the cuts, in sizes that grow."""
+    """Both sides of the line of the cuts, and what is below it in sizes that grow."""
     h, small = float(count.line.height), max(2 * count.end, 1.5)
-    sizes = [small]
-    if count.far is not None:  # roots of masses close to each other lie as far out as waves are short beside the gap
-        sizes += [x * small for x in (4, 32, 256) if x * small < count.far.reach]
-        sizes += [max(4 * small, count.far.reach)]
-    below = [Area(0.0, size, h - size, h, h) for size in sizes]
-    return tuple(below[:1] + ([] if _none_above(count) else [Area(0.0, small, h, h + small, h)]) + below[1:])
+    first = Area(0.0, small, h - small, h if _none_above(count) else h + small, h)
+    if count.far is None:
+        return (first,)
+    # roots of masses close to each other lie as far out as waves are short beside the gap
+    sizes = [x * small for x in (4, 32, 256) if x * small < count.far.reach]
+    return first, *(Area(0.0, size, h - size, h, h) for size in (*sizes, max(4 * small, count.far.reach)))
 
 
 def _none_above(count: SheetCount) -> bool:
