@@ -58,6 +58,13 @@ def test_discs_of_two_p_roots_that_come_near(w, fine):
             v2.isolated(0, bounds, gaps)
 
 
+@pytest.mark.parametrize("slope", ["0", "-1", "-0.01"])
+def test_without_a_slope_no_root_is_alone(slope):
+    """A slope less what it varies by may be below 0."""
+    with pytest.raises(v2.Refused, match="meet"):
+        v2.alone([arb("0.01"), arb(0), arb(1)], arb(slope))
+
+
 def test_a_disc_that_others_fill_is_none():
     with pytest.raises(v2.Refused, match="not told apart"):
         v2.isolated(0, [arb("0.1"), arb(2)], [arb(0), arb(1)])
