@@ -17,6 +17,7 @@ from mpsolve.certificate.format import digest
 
 RANGES = Path(__file__).parents[2] / "certs" / "ranges"
 CROSSING, STABLE, CHART = "crossing_over_velocity", "stable_over_damping", "chart_over_damping"
+SLOPED = "nearly_undamped_d1.5"
 Content = dict[str, Any]
 
 
@@ -132,6 +133,10 @@ FILES: dict[str, tuple[str, Callable[[Content], Any], str]] = {
     "an open leaf": (STABLE, _put("tree", "o"), "a leaf is open"),
     "a leaf beside": (CROSSING, _put("tree", "b"), "does not lie beside"),
     "a leaf after the last": (CROSSING, lambda c: c.update(tree=c["tree"] + "b"), "goes on beyond"),
+    "a leaf that is missing": (CROSSING, _put("tree", "0b"), "does not lie beside"),
+    "absorbing at rest": (CROSSING, _put("tree", "g"), "begins at q = 0"),
+    "absorbing in cells at rest": (CROSSING, _put("tree", "p"), "begins at q = 0"),
+    "absorbing along a slope": (SLOPED, _put("tree", "s-1e-10;p"), "has a slope"),
     "another mark": (CROSSING, _put("tree", "x"), "not known"),
     "another variable": (CROSSING, _put("tree", "2nn"), "not known"),
     "a base outside": (CROSSING, lambda c: c["base"].update(at=["1"]), "outside the ranges"),
@@ -158,3 +163,46 @@ def test_a_base_counts_all_of_the_lower_half_plane(monkeypatch: pytest.MonkeyPat
     valid = vr.spectra.Verdict(True)
     monkeypatch.setattr(vr.spectra, "verify_bytes", lambda _: valid)
     assert "all of Im q < 0" in reason(content)
+
+
+# --- work, and cells ------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("left", "why"), [(10, "asks for more work"), (1000, "q and parameters 0.99.*: a box is open")]
+)
+def test_a_box_that_stays_open_is_not_halved_for_ever(monkeypatch: pytest.MonkeyPatch, left: int, why: str) -> None:
+    def never(*_: Any) -> None:
+        raise vr.Wide("a box is open")
+
+    some = vr.Family(None, None, BOX, None, None, None, left)  # type: ignore[arg-type]
+    monkeypatch.setattr(vr.Family, "nonzero", never)
+    with pytest.raises(vr.Refused, match=why):
+        some.prove("n", ((fmpq(0), fmpq(1)), *BOX))
+    assert some.pieces == min(left, vr.DEPTH + 1)
+
+
+PLANE = ((fmpq(0), fmpq(3)), (fmpq(0), fmpq(2)))
+CELLS: dict[str, tuple[Any, list[tuple[Any, Any]], str]] = {
+    "right": (["00", "0.", "11"], [("1/2", 1), ("5/2", 1)], ""),
+    "a base in an open cell": (["00", "0.", "11"], [("3/2", "3/2"), ("5/2", 1)], "outside of its region"),
+    "a base in the other region": (["00", "0.", "11"], [("5/2", 1), ("1/2", 1)], "outside of its region"),
+    "a mark without a base": (["00", "0.", "11"], [("1/2", 1)], "unknown mark"),
+    "another mark": (["00", "0?", "11"], [("1/2", 1), ("5/2", 1)], "unknown mark"),
+    "cells that touch in a corner": (["0.", ".0", ".."], [("1/2", "1/2")], "hang together"),
+    "rows of two lengths": (["00", "0", "11"], [("1/2", 1), ("5/2", 1)], "rows of one length"),
+    "no row": ([], [], "rows of one length"),
+    "rows without cells": (["", ""], [], "rows of one length"),
+    "numbers": ([[0, 0], [0, 0]], [], "rows of one length"),
+}
+
+
+@pytest.mark.parametrize("name", CELLS)
+def test_regions_of_cells(name: str) -> None:
+    rows, bases, why = CELLS[name]
+    points = [[vr.rational(str(x), "x") for x in base] for base in bases]
+    if not why:
+        assert vr.read_regions({"cells": rows}, PLANE, points).sums[-1][-1] == 5
+    else:
+        with pytest.raises(vr.Refused, match=why):
+            vr.read_regions({"cells": rows}, PLANE, points)
