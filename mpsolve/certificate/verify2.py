@@ -1513,6 +1513,7 @@ class Origin:
 def alone(sizes: Sequence[Any], slope: Any) -> Any:
     """e < e': exactly one |u| < e' solves Σ E_i u^i = 0, and it has |u| ≤ e, where |E_i| ≤ sizes_i, but E_1 is, to
     within its size, a number of modulus ≥ slope; by Rouché."""
+    require(slope > 0, "p-roots meet")
     row = [x / slope for x in sizes]
     e = (row[0] * 1.5 + arb(2) ** (-4 * flint.ctx.prec)).upper()
     for _ in range(12):

@@ -58,6 +58,38 @@ def test_discs_of_two_p_roots_that_come_near(w, fine):
             v2.isolated(0, bounds, gaps)
 
 
+@pytest.mark.parametrize("slope", ["0", "-1", "-0.01"])
+def test_without_a_slope_no_root_is_alone(slope):
+    """A slope less what it varies by may be below 0."""
+    with pytest.raises(v2.Refused, match="meet"):
+        v2.alone([arb("0.01"), arb(0), arb(1)], arb(slope))
+
+
+def test_a_disc_that_others_fill_is_none():
+    with pytest.raises(v2.Refused, match="not told apart"):
+        v2.isolated(0, [arb("0.1"), arb(2)], [arb(0), arb(1)])
+
+
+@pytest.mark.parametrize("track", [DAMPED, p.two_layer("1/4", 1, 1, "1/10", 1, 1, "1/10")])
+def test_a_passive_piece_lies_where_the_receptance_is_passive(track):
+    """Short pieces just below the real axis, against eigenvalues in floats."""
+    eq, seen = p.equations(track, "13/10", p.masses([40, 40], [0, "3/2"])), []
+    floats, car = p.Floats({"equations": eq, "basis": None}), v2.read_vehicle(eq["vehicle"], None)
+    with v2.precision(64):
+        one = v2.Walker(waves := v2.Waves(floats.track, car.places), v2.Bordered(car, waves))
+        for k in range(1, 25):
+            q, end = (fmpq(k, 8), fmpq(-1, 1000)), (fmpq(k, 8) + fmpq(1, 2**20), fmpq(-1, 1000))
+            one.marks[q] = v2.Mark(q, v2.Apart.of(here := one.near(v2.at_q(q)), *v2.sorted_roots(here)))
+            try:
+                one.path(v2.Path("passive", [q, end]))
+                seen.append("")
+            except v2.Refused as error:
+                seen.append(str(error))
+            assert (not seen[-1]) == floats.passive(k / 8 - 0.001j)
+    assert "" in seen
+    assert any("not proved passive" in why for why in seen)
+
+
 def test_a_matrix_of_no_numbers_has_no_inverse():
     for n in (1, 2):
         with pytest.raises(v2.Refused, match="singular"):

@@ -79,6 +79,8 @@ NOTHING = [[0, 0], [0, 0]]
 VEHICLES = {
     "a body that nothing moves": (bodies([[40, 0], [0, 0]], [[1, 1], [0, 0]], h=(1, 1)), "no mass, spring or damper"),
     "two rigid contacts at one place": (bodies([[40]], [[1, 1]], places=(0, 0)), "share a force"),
+    "a spring below 0": (bodies(DIAGONAL, UNIT, [[1, 0], [0, -1]]), "not symmetric and positive semidefinite"),
+    "a spring that pulls one end only": (bodies(DIAGONAL, UNIT, [[2, -1], [0, 2]]), "not symmetric and positive"),
     "a compliance below 0": (bodies(DIAGONAL, UNIT, h=("-1/2", 0)), "compliance may be negative"),
     "no body": (bodies([], [], places=(0,), h=(0,)), "no body or no contact"),
     "no contact": (bodies([[40]], [[]], places=(), h=()), "no body or no contact"),
