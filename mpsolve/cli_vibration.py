@@ -133,9 +133,9 @@ def _summary(found: Vibration) -> list[str]:
     ]
     for part in found.induced:
         grows = "grows" if part.q.imag < 0 else "decays"
-        size = f"amplitude {abs(part.rail[0]):.6g} m at x = {found.places[0]:g} m"
+        swing = f"amplitude {abs(part.rail[0]):.6g} m at x = {found.places[0]:g} m"
         hertz = f"{abs(part.q.real) / 6.283185307179586:.6g} Hz {grows} at {abs(part.q.imag):.6g} 1/s"
-        lines.append(f"induced frequency {hertz}: {size}")
+        lines.append(f"induced frequency {hertz}: {swing}")
     lines += [f"contact {j}: no constant force presses it, so it cannot be judged." for j in found.unjudged]
     counts = len(found.unjudged), len(found.contact_force)
     return lines + _contact(found.lift_off, "contact", ("t", 1.0, " s"), counts, f" up to {known:.6g} s")

@@ -12,7 +12,7 @@ def root_entries(balls: tuple[RootBall, ...]) -> list[RootEntry]:
     """One entry for a pair q, −q̄, one for a root by itself, the fastest first, in whatever order they were found."""
     out = []
     for ball in sorted(balls, key=lambda ball: (-float(ball.q.real.mid()), float(ball.q.imag.mid()))):
-        if ball.symmetry is Symmetry.IMAGINARY:
+        if ball.symmetry is Symmetry.IMAGINARY or ball.q.real.contains(0):  # a cluster about the axis, too
             out.append(_entry(ball, False))
         elif ball.q.real > 0:
             out.append(_entry(ball, any(other.q.overlaps(ball.mirrored.q) for other in balls)))

@@ -10,7 +10,7 @@ from typing import Any
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.numbers.spoken import rounded, spoken
 from mpsolve.page.budget import Part
-from mpsolve.page.limits import Reach, distance_path
+from mpsolve.page.limits import distance_path
 from mpsolve.page.parts import Parts
 from mpsolve.page.words import least, speech
 from mpsolve.problem.case import Case
@@ -48,17 +48,18 @@ def _velocity(parts: Parts) -> Row:
         return _missing(name, own, parts.reach)
     if found.kind is Kind.UNDECIDED:
         return Row(name, own, f"undecided: {found.reason}", "", "open")
-    return told(name, _as_margin(found, v), speak.velocity)
-
-
-def _as_margin(found: Reach, v: Fraction) -> Margin:
-    over = (found.low, found.high)
-    if found.kind is Kind.STABLE or found.value is None:
-        inside = found.low <= v <= found.high or (not v and found.low < found.high)
-        return Margin("v", v, over, (found.kind is Kind.STABLE) if inside else None, reason=found.reason)
+    if found.kind is Kind.UNSTABLE_FROM_START:
+        return Row(name, own, f"unstable already at {least(found.low, found.high, speak.velocity)}", "", "proved")
+    if not found.low <= v <= found.high and (v or found.low >= found.high):
+        why = found.reason or "it lies outside of the range that was looked at"
+        return Row(name, own, f"undecided: {why}", "", "open")
     with precision(128):
-        below = found.value < rational_ball(v)
-    return Margin("v", v, over, not below, found.value if below else None, None if below else found.value)
+        over = None if found.value is None else rational_ball(v) - found.value
+        if over is not None and over > 0:  # the first limit: a stable part may begin anywhere above it
+            beyond = {True: "above it, and stable again", False: "too much", None: "above it"}[parts.spectrum.stable]
+            limit, spare = f"stable below {speak.velocity(found.value)}", f"{speak.velocity(over)} {beyond}"
+            return Row(name, own, limit, spare, "proved")
+    return told(name, Margin("v", v, (found.low, found.high), True, None, found.value), speak.velocity)
 
 
 def _mass(parts: Parts) -> Row:
@@ -116,7 +117,7 @@ def told(name: str, found: Margin, say: Say) -> Row:
             "proved",
         )
     limits = [
-        f"{'unstable' if found.stable else 'stable'} {side} {one[0]}"
+        f"{'unstable' if found.stable else 'stable'} just {side} {one[0]}"
         for side, one in (("below", below), ("above", above))
         if one
     ]

@@ -102,7 +102,8 @@ def velocity_card(parts: Parts) -> Card:
             part_of = rounded(100 * rational_ball(v) / value, 3)
             said = f"{here} That leaves {speak.velocity(shift)}: it runs at {part_of} % of the limit."
         else:
-            said = f"{here} That is {speak.velocity(-shift)} above it; stable windows may lie higher up."
+            higher = "it is stable again there" if parts.spectrum.stable else "stable windows may lie higher up"
+            said = f"{here} That is {speak.velocity(-shift)} above it; {higher}."
         if found.low:
             said = f"{said} Every velocity from {least(found.low, value, speak.velocity)} on was looked at."
         return Card(question, f"stable below {where}", said, "proved")

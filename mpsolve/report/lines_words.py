@@ -45,8 +45,8 @@ def _lines(found: FrequencyLines, asked: Asked) -> list[str]:
         lines.append(f"  line {k}: from {first} to {last}{_way(line, asked)}")
         for one in line.crossings:
             where = value_text(one.value, over, found.digits)
-            way = "grows beyond it" if (one.direction or 0) > 0 else "decays beyond it"
-            lines.append(f"    real at {over.path} = {where}: {frequency_text(one.q, asked, found.digits)}; {way}")
+            way = {True: "; grows beyond it", False: "; decays beyond it"}[one.direction > 0] if one.direction else ""
+            lines.append(f"    real at {over.path} = {where}: {frequency_text(one.q, asked, found.digits)}{way}")
     if found.counts is not None:
         lines.append(f"  {_growing(found.lines)}")
     return lines

@@ -73,8 +73,16 @@ def isolate(proved: Proved, seed: complex, bits: int = BASE_BITS) -> Box:
 def _isolate(proved: Proved, seed: Any) -> Box:
     function, start = _function(proved, acb(seed))
     start = polished(function, start)
-    lines = (_IMAGINARY, _REAL) if proved.lossless else (_IMAGINARY,)
-    return Box(function, enclosed(function, start, start.abs_upper(), lines))
+    return Box(function, enclosed(function, start, start.abs_upper(), _lines(proved)))
+
+
+def _lines(proved: Proved) -> tuple[Line, ...]:
+    return (_IMAGINARY, _REAL) if proved.lossless else (_IMAGINARY,)
+
+
+def line_near(proved: Proved, sigma: acb) -> Line | None:
+    """The line of symmetry to which the exact σ is so near that roots about it are likely to be mirror images."""
+    return next((line for line in _lines(proved) if line.is_near(sigma, sigma.abs_upper())), None)
 
 
 def _function(proved: Proved, start: Any) -> tuple[Scalar, acb]:
@@ -108,4 +116,4 @@ def in_units(sigma: Any, unit: Fraction) -> acb:
     return acb(sigma.imag * scale, -sigma.real * scale)
 
 
-__all__ = ["Box", "RootBall", "Scalar", "Symmetry", "enclose", "in_units", "isolate", "refine"]
+__all__ = ["Box", "RootBall", "Scalar", "Symmetry", "enclose", "in_units", "isolate", "line_near", "refine"]

@@ -12,7 +12,7 @@ from mpsolve.numbers.balls import acb, arb, square
 from mpsolve.numbers.rootball import RootBall, Symmetry, on_grid, radius_of
 from mpsolve.numbers.taylor import Taylor, pellet, taylor
 from mpsolve.proof import clusters
-from mpsolve.spectrum.enclose import in_units, isolate, refine
+from mpsolve.spectrum.enclose import in_units, isolate, line_near, refine
 
 _OUTER = 14  # the larger disc has the radius |σ| 2^−14
 
@@ -25,6 +25,8 @@ class _Roots:
     most: int = 6
 
     def series(self, centre: acb, shrink: int) -> Taylor:
+        line = line_near(self.proved, centre)
+        centre = centre if line is None else line.onto(centre).mid()
         outer = arb(2) ** (math.frexp(float(centre.abs_lower()))[1] - 1 - _OUTER)
         bound = arb(self._delta(centre + square(outer)).abs_upper())
         if not bound.is_finite():
@@ -52,9 +54,10 @@ def separate(proved: Proved, seed: complex, digits: int) -> list[RootBall]:
 
 def as_cluster(proved: Proved, series: Taylor, m: int, target: int) -> list[RootBall]:
     """A square ball of relative size 2^−target: at least m roots in its disc, at most m around it."""
-    unit = proved.reduced.frequency_unit
+    unit, line = proved.reduced.frequency_unit, line_near(proved, series.centre)
     centre = in_units(series.centre, unit)
-    ball = on_grid(centre, target, m, Symmetry.NONE)
+    alone = m == 1 and line is not None and bool(line.onto(series.centre) == series.centre)  # on its own mirror image
+    ball = on_grid(centre, target, m, line.symmetry if alone and line else Symmetry.NONE)
     scale = acb(1) / acb(arb(unit.numerator) / unit.denominator)
     shift = abs((ball.q.mid() - centre) * scale)
     radius = abs(radius_of(ball.exponent, m) * scale)

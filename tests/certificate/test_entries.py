@@ -44,3 +44,11 @@ def test_the_order_is_not_that_of_the_search() -> None:
     found = [(entry.re, entry.im) for entry in root_entries(balls)]
     assert found == [(entry.re, entry.im) for entry in root_entries(balls[::-1])]
     assert found[0] == (root_entries(balls[1:2])[0].re, root_entries(balls[1:2])[0].im)
+
+
+def test_a_cluster_about_the_axis_stands_alone() -> None:
+    """It is its own mirror image, and no pair."""
+    with precision(128):
+        both = on_grid(acb(0, arb(0.4)), 60, 2, Symmetry.NONE)
+    (entry,) = root_entries((both,))
+    assert (entry.re, entry.pair, entry.multiplicity) == (0, False, 2)

@@ -2,6 +2,7 @@
 
 import csv
 import io
+from dataclasses import replace
 
 import pytest
 from free_cases import BEAM, PAIR
@@ -23,6 +24,13 @@ def test_ends_and_crossings_are_said() -> None:
     assert "to the border of the region at v = 0.96458664" in text
     assert "real at v = 0.99364593" in text
     assert "lines on which a vibration grows somewhere: 1" in text
+    crossed = [line for line in found.lines if line.crossings]
+    (line,) = crossed
+    said = text.split("real at")[1].splitlines()[0]
+    assert said.endswith("; grows beyond it" if (line.crossings[0].direction or 0) > 0 else "; decays beyond it")
+    touching = replace(line, crossings=(replace(line.crossings[0], direction=None),))
+    text = said_of_lines(replace(found, lines=(touching,)), question).text
+    assert "beyond it" not in text  # which way is not proved
 
 
 def test_an_end_at_a_cut_is_said_and_stands_in_the_table() -> None:

@@ -6,6 +6,7 @@ from functools import cache
 
 import pytest
 
+from mpsolve import certify
 from mpsolve.characteristic.floats import Floats
 from mpsolve.characteristic.proved import Proved
 from mpsolve.errors import PrecisionError
@@ -15,9 +16,9 @@ from mpsolve.numbers.taylor import SAMPLES, Taylor
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import reduce_problem
 from mpsolve.spectrum.enclose import enclose
-from mpsolve.spectrum.multiple import as_cluster, separate
+from mpsolve.spectrum.multiple import _Roots, as_cluster, separate
 from mpsolve.tracks import EulerBernoulli
-from mpsolve.vehicles import Mass
+from mpsolve.vehicles import Mass, Vehicle
 
 BEAM = EulerBernoulli(EI="1/4", m=1, k=1, c="0.1")
 
@@ -111,3 +112,31 @@ def test_a_ball_is_given_only_with_both_roots_inside(share: float, held: bool) -
         zero = [acb(0)] * (SAMPLES - 3)
         series = Taylor(centre, (-acb(r * r), acb(0), acb(1), *zero), arb(1), arb((1, -10)))
         assert bool(as_cluster(proved, series, 2, 40)) is held
+
+
+def overdamped(*places: int) -> Problem:
+    """Each body creeps back on its damper: a root on the imaginary axis."""
+    body = Vehicle(M=[[1]], C=[[10]], K=[[1]], B=[[1]], places=[0])
+    return Problem(EulerBernoulli(EI="1/4", m=1, k=1, c=1), [body.at(x) for x in places], v="0.5")
+
+
+def test_two_roots_on_the_axis_that_digits_do_not_tell_apart_are_in_the_certificate() -> None:
+    found = certify(overdamped(0, 1000), region=("below", "0.4"), digits=15)
+    assert (found.proved, found.count) == (True, 2), found.reason
+    (both,) = found.roots
+    assert both.multiplicity == 2
+    assert both.q.real.contains(0)
+
+
+def test_a_lone_root_of_a_series_next_to_the_axis_lies_on_it() -> None:
+    """Where no box isolates it: its disc is its own mirror image."""
+    one = overdamped(0)
+    (root,) = certify(one, region=("below", "0.4"), digits=30, check=False).roots
+    proved = Proved(reduce_problem(one))
+    with precision(400):
+        sigma = acb(0, 1) * root.q / arb(float(proved.reduced.frequency_unit))
+        series = _Roots(proved).series((sigma.mid() + acb(0, arb(2) ** -90)).mid(), 20)
+        assert series.centre.imag == 0
+        (ball,) = as_cluster(proved, series, 1, 60)
+    assert ball.symmetry is Symmetry.IMAGINARY
+    assert ball.q.overlaps(root.q)
