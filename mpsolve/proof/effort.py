@@ -48,11 +48,11 @@ class Effort:
         part.started = self.started
         return part
 
-    def rest(self) -> Effort | None:
+    def rest(self, evaluations: int | None = None) -> Effort | None:
         """The seconds that are left, but a few in any case, for a proof within the one under way; None: no limit."""
         if self.seconds is None:
             return None
-        return self._part(max(self.seconds - (process_time() - self.started), _LEAST * self.seconds), None)
+        return self._part(max(self.seconds - (process_time() - self.started), _LEAST * self.seconds), evaluations)
 
     def _part(self, seconds: float | None, evaluations: int | None, whole: Effort | None = None) -> Effort:
         part = Effort(seconds, evaluations)
