@@ -92,7 +92,7 @@ def onset(
     first = _up_to_first(problem, ranges, quick, ask)
     if first is not None:
         return first
-    found = ask(ranges, quick.rest(quick.evaluations) or quick)
+    found = ask(ranges, quick.left())
     if effort is None and found.reason is not None and found.reason.code == "effort":
         found = ask(ranges, None)
     return _read(found, Onset(problem, found.over, digits=found.digits, **shared(found)))

@@ -60,17 +60,7 @@ def parted(
     parts = []
     for k, (left, right) in enumerate(pairwise(edges)):
         side = -1 if k == 0 else 1 if k == len(speeds) else None
-        parts.append(
-            _part(
-                problem,
-                (left, low),
-                (right, high),
-                side,
-                find,
-                none,
-                lambda: budget.rest(budget.evaluations) or effort,
-            )
-        )
+        parts.append(_part(problem, (left, low), (right, high), side, find, none, lambda: effort and budget.left()))
     return _joined(over, speeds, parts, process_time() - started)
 
 
