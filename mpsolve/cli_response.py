@@ -144,10 +144,13 @@ def compare(file: Path, output: Path | None, end: str | None, points: int, effor
     kind = checked_file(output, file, "the comparison", (".csv", ".png", ".svg", ".pdf"))
     source, end = _source(file, end)
     budget = effort_of(effort) or Effort()
-    if isinstance(source, InputFile):
-        found = cli_vibration.compared_case(source, _grid(_last(end), points), budget)
-    else:
-        found = cli_vibration.compared(source, _grid(_seconds(end) or _last(end), points), budget)
+    with progress() as tell:
+        if tell is not None:
+            tell("comparing", 0.0)
+        if isinstance(source, InputFile):
+            found = cli_vibration.compared_case(source, _grid(_last(end), points), budget)
+        else:
+            found = cli_vibration.compared(source, _grid(_seconds(end) or _last(end), points), budget)
     if output is not None:
         found.write(output, kind, source.title)
     for sentence in (*found.said, *([] if output is None else [str(output)])):

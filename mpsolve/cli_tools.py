@@ -186,7 +186,7 @@ def in_parts(
         for name, given in (("--boxes", boxes), ("--dask", dask)):
             if given is not None:
                 raise InputError(name, "is given without --store: give the file that keeps what is proved")
-        yield {"effort": effort_of(effort), "workers": workers or 1}
+        yield {"effort": effort_of(effort), "workers": 1 if workers is None else workers}
         return
     if effort is not None:
         raise InputError("--effort", "is given beside --store: give --boxes, the work of each part, in its place")

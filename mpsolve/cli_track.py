@@ -165,7 +165,9 @@ def _frequencies(text: str, si: bool) -> tuple[float, ...]:
 @command()
 @FILE
 @click.option("--spacing", help="From each vehicle to the next, where FILE holds only one.")
-@click.option("--effort", default="10", show_default=True, metavar="SECONDS", help="Time for each of the proofs.")
+@click.option(
+    "--effort", default="30", show_default=True, metavar="SECONDS", help="Processor time that the proofs may take."
+)
 @JSON
 def train(file: Path, spacing: str | None, effort: str, as_json: bool) -> None:
     """Prove whether disturbances grow along the train in FILE (TOML), as if it had no end, and how it amplifies.
@@ -179,15 +181,16 @@ def train(file: Path, spacing: str | None, effort: str, as_json: bool) -> None:
     from mpsolve.endless.row import row_in
     from mpsolve.problem.case import Case
     from mpsolve.problem.inputfile import read_problem
+    from mpsolve.proof.effort import begun
     from mpsolve.proof.stopping import listening
     from mpsolve.report.trains import train_data, train_text
 
     given = read_problem(file)
     row, count = row_in(given.problem if given.case is None else given.case, spacing)
     with progress() as tell, listening():
-        budget, several = effort_of(effort), given.problem.pencil.contacts > 1
-        found = infinite_train(row.problem, row.spacing, effort=budget, progress=tell)
-        ratios = amplification(given.problem, effort=budget, progress=tell) if several else None
+        budget, several = begun(effort_of(effort)), given.problem.pencil.contacts > 1
+        found = infinite_train(row.problem, row.spacing, effort=budget.half(), progress=tell)
+        ratios = amplification(given.problem, effort=budget.left(), progress=tell) if several else None
     told = (given.title, found, ratios, count)
     if as_json:
         echo_json(train_data(*told))

@@ -12,7 +12,7 @@ import click
 
 from mpsolve.errors import InputError
 
-_NAMES = {"f": "function", "places": "xi", "store": "output", "times": "to"}
+_NAMES = {"f": "function", "places": "xi", "store": "output", "times": "end", "tau": "end"}
 """Arguments of the library, and the parameter of a command that they come from."""
 
 

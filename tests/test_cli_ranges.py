@@ -239,6 +239,7 @@ def test_a_table_of_any_problem(run: Run) -> None:
         (["robust", PLAIN, "--over", "v=0..1", "--boxes", 9], "--boxes", "without --store"),
         (["robust", PLAIN, "--over", "v=0..1", "--dask", "a:1"], "--dask", "without --store"),
         (["robust", PLAIN, "--over", "v=0..1", "--store", "s", "--effort", 1], "--effort", "give --boxes"),
+        (["robust", PLAIN, "--over", "v=0..1", "--workers", 0], "--workers", "is 0"),
         (["chart", PLAIN, "-o", "c.png"], "output", ".svg"),
         (["chart", PLAIN, "--over", "v=0..1"], "over", "a chart is over two parameters"),
         (["table", "table.toml", "-o", "a.txt"], "output", ".csv, .json"),

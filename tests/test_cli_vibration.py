@@ -127,6 +127,7 @@ def test_compare_leaves_out_what_is_late(tmp_path: Path) -> None:
         (["examples/dimensionless.toml", "--initial", "steady"], "--initial: is for a motion in s"),
         ([str(BOGIE), "--to", "0 s"], "--to: is 0 s: give a time above 0"),
         ([str(BOGIE), "--to", "x"], "--to"),
+        ([str(BOGIE), "--to", "1e9 s"], "--to: end at 1e+09 s"),
         ([str(BOGIE), "--to", "1 s", "--animate", "film.gif"], "film.gif"),
         ([str(BOGIE), "--to", "1 s", "--roughness", "20 µm"], "--roughness: is '20 µm': give two lengths"),
         ([str(BOGIE), "--to", "1 s", "--roughness", "20 µm, 3 kg"], "--roughness"),

@@ -90,7 +90,7 @@ def _listed(name: str, values: Any, kind: type) -> Any:
         out = np.atleast_1d(np.asarray(values, kind))
     except (TypeError, ValueError):
         raise InputError(name, "is no list of numbers: give a number, or a list of numbers") from None
-    if out.ndim != 1 or not np.isfinite(out).all():
+    if out.ndim != 1 or not out.size or not np.isfinite(out).all():
         raise InputError(name, "is no list of finite numbers: give a number, or a list of numbers")
     return out
 

@@ -91,14 +91,16 @@ def amplification(
     ends = _band(reduced, band)
     low, high = (float_beside(x / reduced.frequency_unit, up) for x, up in zip(ends, (False, True), strict=True))
     tell("stability", 0.0)
-    stable = certify(train, region="unstable", digits=_DIGITS, check=False, effort=effort).stable
+    budget = begun(effort, _evaluations(reduced))
+    stable = certify(train, region="unstable", digits=_DIGITS, check=False, effort=effort and budget.left()).stable
     arrays, peaks, reason = Arrays(reduced), [], None
     try:
         up = start(reduced.guide).up
         for k, (source, target) in enumerate(((0, last), (last, 0))):
             tell("ratio", 0.4 + 0.3 * k)
-            budget = begun(effort, _evaluations(reduced))
-            found = Ratio(arrays, up, source, target).largest(low, high, tolerance, budget)
+            part = budget.left()
+            part.seconds = part.seconds and part.seconds / (2 - k)  # the other direction has the rest
+            found = Ratio(arrays, up, source, target).largest(low, high, tolerance, part)
             peaks.append(Peak(found.low, found.high, found.q * float(reduced.frequency_unit)))
             reason = reason or found.reason
     except PrecisionError as error:

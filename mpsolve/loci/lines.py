@@ -29,7 +29,7 @@ from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.answer import Interval, Spent
 from mpsolve.ranges.scope import OpenError, checked_over, from_above_rest, one_path, scope_of
 
-NOTE = "no certificate states lines; the roots at one point, from which they are counted, are certified"
+NOTE = "no certificate states lines yet"
 _BOXES = 1_000_000  # that an answer may take unless effort says otherwise
 _MOST_POINTS = 100_000
 

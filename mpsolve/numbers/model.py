@@ -77,6 +77,7 @@ class Entries(Quantity):
     def _level(self, value: object, key: str, depth: int) -> Any:
         if not depth:
             return self._entry(value, key)
+        value = value.toarray() if hasattr(value, "toarray") else value  # of scipy's sparse matrices
         if isinstance(value, (str, bytes, Mapping, Set)) or not isinstance(value, Iterable):
             wanted = "a list of rows" if depth == 2 else "a list of numbers"
             raise InputError(key, f"is of type {type(value).__name__}: give {wanted}, the {self.told}")

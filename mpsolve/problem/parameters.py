@@ -166,9 +166,8 @@ def _with(model: Any, path: str, value: Any, key: str) -> Any:
     """The model with one of its numeric parameters changed; what it refuses is told under `key`."""
     known = dict(_numbers(model))
     if path not in known:
-        near = get_close_matches(path, known, n=1, cutoff=0.5)
-        advice = f"did you mean {near[0]}? There" if near else "there"
-        raise InputError(key, f"is unknown: {advice} are {', '.join(known)}")
+        advice = f"these are {', '.join(known)}" if known else "scale.mass is a factor of all masses"
+        raise InputError(key, f"is no single number that the model {model.name} gives here: {advice}")
     try:
         return filled(model, {path: value})
     except InputError as error:

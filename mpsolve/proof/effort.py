@@ -48,11 +48,16 @@ class Effort:
         part.started = self.started
         return part
 
+    def left(self) -> Effort:
+        """The same limits without the seconds that have passed; some are left in any case."""
+        seconds = self.seconds
+        if seconds is not None:
+            seconds = max(seconds - (process_time() - self.started), _LEAST * seconds)
+        return self._part(seconds, self.evaluations)
+
     def rest(self) -> Effort | None:
-        """The seconds that are left, but a few in any case, for a proof within the one under way; None: no limit."""
-        if self.seconds is None:
-            return None
-        return self._part(max(self.seconds - (process_time() - self.started), _LEAST * self.seconds), None)
+        """The seconds that are left, for a proof within the one under way; None: no limit."""
+        return None if self.seconds is None else self._part(self.left().seconds, None)
 
     def _part(self, seconds: float | None, evaluations: int | None, whole: Effort | None = None) -> Effort:
         part = Effort(seconds, evaluations)

@@ -11,7 +11,6 @@ from mpsolve.numbers.realroots import short_between
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.family import family_of
 from mpsolve.problem.problem import Problem
-from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval
 from mpsolve.ranges.first_seen import first_seen
 from mpsolve.ranges.scope import from_above_rest, one_path
@@ -50,11 +49,3 @@ def up_to_first(problem: Problem, over: Mapping[str, Interval]) -> Shorter | Non
         return None
     q = seen[0] * float(family.frequency_unit)
     return Shorter({path: (low, short_between(at + (far - at) / 2, far))}, (q, float(at)))
-
-
-def quarter(effort: Effort | None) -> Effort | None:
-    """A quarter of it."""
-    if effort is None:
-        return None
-    seconds = None if effort.seconds is None else effort.seconds / 4
-    return Effort(seconds, None if effort.evaluations is None else max(effort.evaluations // 4, 1))

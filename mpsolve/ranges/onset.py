@@ -14,11 +14,11 @@ from mpsolve.numbers.balls import rational_ball
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.answer import Answer, Interval, Valued
 from mpsolve.ranges.crossed import Crossings
-from mpsolve.ranges.first import BEYOND, quarter, up_to_first
+from mpsolve.ranges.first import BEYOND, up_to_first
 from mpsolve.ranges.left_out import LeftOut
 from mpsolve.ranges.onset_worst import AtWorst, at_worst
 from mpsolve.ranges.scope import checked_over
@@ -88,21 +88,22 @@ def onset(
     ) -> Crossings:
         return found_in(given, over, digits, effort, progress, check, near)
 
-    first = _up_to_first(problem, ranges, effort, ask)
+    quick = begun(effort, _QUICK)
+    first = _up_to_first(problem, ranges, quick, ask)
     if first is not None:
         return first
-    found = ask(ranges, effort or Effort(evaluations=_QUICK))
+    found = ask(ranges, quick.left())
     if effort is None and found.reason is not None and found.reason.code == "effort":
         found = ask(ranges, None)
     return _read(found, Onset(problem, found.over, digits=found.digits, **shared(found)))
 
 
-def _up_to_first(problem: Given, over: Mapping[str, Interval], effort: Effort | None, ask: Any) -> Onset | None:
+def _up_to_first(problem: Given, over: Mapping[str, Interval], effort: Effort, ask: Any) -> Onset | None:
     """The onset by a proof of the range up to the first crossing that floats see; None where that does not tell."""
     shorter = up_to_first(as_problem(problem), over)
     if shorter is None:
         return None
-    found = ask(shorter.over, quarter(effort) or Effort(evaluations=_QUICK), (shorter.near,))
+    found = ask(shorter.over, effort, (shorter.near,))
     if not found.proved or found.parts or not found.crossings:
         return None
     note = "; ".join(filter(None, (found.note, BEYOND)))

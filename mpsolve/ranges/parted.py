@@ -18,7 +18,7 @@ from mpsolve.numbers.balls import rational_ball
 from mpsolve.outcome import Reason, Status
 from mpsolve.problem.family import Interval
 from mpsolve.problem.problem import Problem
-from mpsolve.proof.effort import Effort
+from mpsolve.proof.effort import Effort, begun
 from mpsolve.ranges.answer import Spent, joined_cost
 from mpsolve.ranges.last_strip import last_strip
 from mpsolve.ranges.left_out import LeftOut, Speed, not_whole, shown, speeds_within
@@ -54,23 +54,14 @@ def parted(
     effort: Effort | None,
 ) -> Any:
     """The parts of a range, each answered by `find`, or `none` where a theorem says that nothing grows, as one."""
-    started = process_time()
+    started, budget = process_time(), begun(effort)
     (low, high) = over["v"]
     edges: list[Speed | None] = [None, *speeds, None]
     parts = []
     for k, (left, right) in enumerate(pairwise(edges)):
         side = -1 if k == 0 else 1 if k == len(speeds) else None
-        parts.append(_part(problem, (left, low), (right, high), side, find, none, _rest(effort, started)))
+        parts.append(_part(problem, (left, low), (right, high), side, find, none, lambda: effort and budget.left()))
     return _joined(over, speeds, parts, process_time() - started)
-
-
-def _rest(effort: Effort | None, started: float) -> Callable[[], Effort | None]:
-    def left() -> Effort | None:
-        if effort is None or effort.seconds is None:
-            return effort
-        return Effort(max(effort.seconds - (process_time() - started), 1e-3), effort.evaluations)
-
-    return left
 
 
 def _part(

@@ -210,8 +210,8 @@ def framed(lines: list[str], found: Answer, asked: Asked) -> str:
     """What is said of an answer: verdict, numbers; then the ranges, warnings, and how sure it is."""
     default = " (give others with --over)" if asked.by_default else ""
     lines = [*lines, f"The range: {asked.ranges}{default}."]
-    limited = found.proved and (_speeds(found) or BEYOND in found.note)
-    lines += [f"Note: {found.note}."] if limited else []
+    limited = found.note if _speeds(found) else BEYOND if BEYOND in found.note else ""
+    lines += [f"Note: {limited}."] if found.proved and limited else []
     lines += [_SLOWER] if asked.slower else []
     lines += [f"Warning: {reason}." for reason in asked.warnings]
     return "\n".join([*lines, trust(found)]) + "\n"
@@ -233,5 +233,5 @@ def trust(found: Answer) -> str:
     if not found.proofs and found.note:  # by a theorem, without boxes
         return THEOREM if _speeds(found) else f"Proved, without certificate: {found.note}."
     verified = all(proof.base is not None and proof.base.status is Status.PROVED for proof in found.proofs)
-    why = f": {found.note}" if found.note and not _speeds(found) else ""
-    return f"{WITHOUT}{why}. {_BASE if found.proofs and verified else _UNVERIFIED}"
+    why = "" if _speeds(found) else found.note.removesuffix(BEYOND).removesuffix("; ")
+    return f"{WITHOUT}{why and f': {why}'}. {_BASE if found.proofs and verified else _UNVERIFIED}"

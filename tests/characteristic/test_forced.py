@@ -82,6 +82,7 @@ def test_bare_equations_are_a_track_too() -> None:
         (BEAM, [np.nan], [0], 0, "xi"),
         (BEAM, [[0.0]], [0], 0, "xi"),
         (BEAM, ["a"], [0], 0, "xi"),
+        (BEAM, [], [0], 0, "xi"),
         (BEAM, [0], [1 + 0.1j], 0, "omega"),
         (BEAM, [0], [np.inf], 0, "omega"),
         (BEAM, [0], [0], -1, "v"),

@@ -73,3 +73,13 @@ def test_what_cannot_be_is_told_under_its_path(path: str, value: object, said: s
     with pytest.raises(InputError, match="(?s)" + said.replace("[", r"\[")) as caught:
         problem().changed(path, value)
     assert caught.value.key == path
+
+
+def test_what_is_no_number_is_told_with_what_there_is() -> None:
+    matrices = vehicles.Vehicle(M=[[1]], C=[[0]], K=[[0]], B=[[1]], places=[0])
+    for vehicle, path, said in (
+        (matrices, "vehicles[0].M", "scale.mass is a factor of all masses"),
+        (vehicles.Oscillator(wheel=1, body=1, k=1), "vehicles.k_contact", "these are wheel, body, k, c"),
+    ):
+        with pytest.raises(InputError, match=f"is no single number .*: {said}"):
+            Problem(RAIL, vehicle, v=1).changed(path, 2)

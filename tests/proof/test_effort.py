@@ -34,6 +34,20 @@ def test_seconds_are_those_of_the_processor(monkeypatch: pytest.MonkeyPatch) -> 
         effort.spend(0)
 
 
+def test_what_is_left_of_the_seconds(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = [100.0]
+    monkeypatch.setattr("mpsolve.proof.effort.process_time", lambda: clock[0])
+    effort = Effort(seconds=20, evaluations=7)
+    effort.started = 100.0
+    clock[0] = 105.0
+    assert effort.left() == Effort(seconds=15, evaluations=7)
+    assert effort.rest() == Effort(seconds=15)
+    assert effort.left().whole is effort
+    clock[0] = 150.0
+    assert effort.left() == Effort(seconds=2, evaluations=7)  # some in any case
+    assert (Effort(evaluations=7).left(), Effort(evaluations=7).rest()) == (Effort(evaluations=7), None)
+
+
 def test_no_limit() -> None:
     Effort().spend(10**12)
 

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import signal
 from fractions import Fraction
 from pathlib import Path
+from time import process_time
 from typing import Any
 
 import numpy as np
 import pytest
 
-from mpsolve import Case, Effort, frequencies, onset, read_problem
+from mpsolve import Case, Effort, Status, frequencies, onset, read_problem
 from mpsolve.presets.written import input_file
 from mpsolve.problem.cases import as_problem
-from mpsolve.ranges.first import BEYOND, Shorter, quarter, up_to_first
+from mpsolve.ranges.first import BEYOND, Shorter, up_to_first
 from mpsolve.ranges.onset import Kind
 
 CASE = Case(alpha="0.5", eta_b="0.0001", eta_m=(70, 70), positions=(0, "1.5"))
@@ -33,10 +35,18 @@ def test_where_there_is_nothing_to_try(high: Any) -> None:
     assert up_to_first(PROBLEM, {"v": (Fraction(0), high)}) is None
 
 
-def test_a_share_of_the_effort() -> None:
-    assert quarter(None) is None
-    assert quarter(Effort(seconds=8, evaluations=100)) == Effort(seconds=2, evaluations=25)
-    assert quarter(Effort(evaluations=1)) == Effort(evaluations=1)
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="there is no such timer here")
+def test_all_of_the_effort_is_for_it_and_its_verifier(monkeypatch: pytest.MonkeyPatch) -> None:
+    def slow(*_: object) -> None:
+        while True:
+            pass
+
+    monkeypatch.setattr("mpsolve.certificate.verify_ranges.verify_bytes", slow)
+    started = process_time()
+    answer = onset(CASE, over={"alpha": (0, 1)}, effort=Effort(seconds=1.5))
+    assert (answer.proved, answer.status, answer.kind) == (True, Status.UNVERIFIED, Kind.CROSSES)
+    assert "the effort of 1.5 s of processor time was spent before the verifier was through" in answer.note
+    assert 1.2 < process_time() - started < 3
 
 
 def test_an_onset_of_hardly_any_damping() -> None:

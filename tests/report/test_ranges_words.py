@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
+from types import SimpleNamespace
 
 import pytest
 
-from mpsolve import Problem, crossings, onset, tracks, unstable_ranges, vehicles
+from mpsolve import Problem, Status, crossings, onset, tracks, unstable_ranges, vehicles
 from mpsolve.numbers.balls import arb
 from mpsolve.ranges.crossed import Crossings
+from mpsolve.ranges.first import BEYOND
 from mpsolve.ranges.onset import Kind, Onset, _read
 from mpsolve.ranges.unstable import shared
 from mpsolve.report.ranges_asked import asked
@@ -70,3 +72,13 @@ def test_several_ranges_have_one_title_and_one_sentence_of_what_is_assumed() -> 
     assert text.endswith("FLINT's ball arithmetic.\n")
     assert (text.count("One axle"), text.count("Assumed, not proved"), text.count("STABLE")) == (1, 1, 2)
     assert report_of([replace(said, asked=ASKED)]).startswith("STABLE")
+
+
+def test_why_there_is_no_certificate_stands_once() -> None:
+    proofs = (SimpleNamespace(base=SimpleNamespace(status=Status.PROVED)),)
+    for note, said in ((f"it is late; {BEYOND}", ": it is late. The roots"), (BEYOND, "has passed. The roots")):
+        found = Onset(WIRE, OVER, Status.UNVERIFIED, kind=Kind.STABLE, note=note, proofs=proofs)  # type: ignore[arg-type]
+        text = said_of_onset(found, ASKED).text
+        assert f"\nNote: {BEYOND}.\n" in text
+        assert said in text
+        assert text.count("it is late") == note.count("late")
