@@ -121,16 +121,24 @@ def _require(path: str, values: Any, holds: Any, stated: str) -> None:
 def _formations(problem: Problem, flat: Mapping[str, Reals], size: int) -> tuple[tuple[Formation, ...], Integers]:
     """The different formations, and which of them each entry has."""
     paths = [path for path in flat if path != "v" and not path.startswith("track.")]
+    each, which = different(problem, flat, paths, size)
+    return tuple(formation(vehicles) for _, vehicles in each), which
+
+
+def different(
+    problem: Problem, flat: Mapping[str, Reals], paths: Sequence[str], size: int
+) -> tuple[list[tuple[Any, tuple[Placed, ...]]], Integers]:
+    """Track and vehicles for the different values of the parameters at these paths, and which each entry has."""
     if not paths or not size:
-        return (formation(problem.vehicles),), np.zeros(size, int)
+        return [(problem.track, problem.vehicles)], np.zeros(size, int)
     rows, which = np.unique(np.stack([flat[path] for path in paths], 1), axis=0, return_inverse=True)
     out = []
     for row in rows.tolist():
-        vehicles = problem.vehicles
+        track, vehicles = problem.track, problem.vehicles
         for path, value in zip(paths, row, strict=True):
-            vehicles = changed(problem.track, vehicles, problem.v, path, value)[1]
-        out.append(formation(vehicles))
-    return tuple(out), which.reshape(-1)
+            track, vehicles, *_ = changed(track, vehicles, problem.v, path, value)
+        out.append((track, vehicles))
+    return out, which.reshape(-1)
 
 
 def formation(vehicles: tuple[Placed, ...]) -> Formation:

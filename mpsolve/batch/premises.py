@@ -12,12 +12,11 @@ from functools import lru_cache
 
 import numpy as np
 
-from mpsolve.batch.entries import Entries
+from mpsolve.batch.entries import Entries, different
 from mpsolve.errors import InputError
 from mpsolve.numbers.arrays import Integers
 from mpsolve.passivity.decay import vanishes
 from mpsolve.passivity.short_waves import slowest_short_wave
-from mpsolve.problem.parameters import changed
 from mpsolve.problem.reduced import Guide, track_guide
 from mpsolve.tracks.at_rest import Status, at_rest
 from mpsolve.tracks.passive import passivity
@@ -75,14 +74,5 @@ def _slow(track: Track | Waveguide, guide: Guide) -> Guide | None:
 def premises(entries: Entries) -> tuple[tuple[Premise, ...], Integers]:
     """The premises of the different tracks, and which of them each entry has."""
     paths = [path for path in entries.over if path.startswith("track.")]
-    problem = entries.problem
-    if not paths or not len(entries):
-        return (premise(problem.track),), np.zeros(len(entries), int)
-    rows, which = np.unique(np.stack([entries.over[path] for path in paths], 1), axis=0, return_inverse=True)
-    out = []
-    for row in rows.tolist():
-        track = problem.track
-        for path, value in zip(paths, row, strict=True):
-            track = changed(track, problem.vehicles, problem.v, path, value)[0]
-        out.append(premise(track))
-    return tuple(out), which.reshape(-1)
+    each, which = different(entries.problem, entries.over, paths, len(entries))
+    return tuple(premise(track) for track, _ in each), which

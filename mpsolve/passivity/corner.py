@@ -22,7 +22,7 @@ from mpsolve.proof.newton import isolated, polished, real_part, sharpened
 from mpsolve.proof.subdivide import subdivide
 
 _BITS = 96
-_PARTS = 1500  # boxes at most
+_PARTS, _DEEPEST = 1500, 16  # boxes at most; halvings of one
 _WIDTHS = (5e-3, 1e-3, 2e-4)
 
 
@@ -98,13 +98,26 @@ def _reach(moving: Moving, value: arb) -> float:
 def _bends(moving: Moving, value: arb, reach: float, effort: Effort) -> bool:
     """Whether F_qq > 0 for 0 ≤ q ≤ reach at the velocity of the loss."""
 
-    def holds(box: tuple[float, float, float, float]) -> bool:
-        q0 = arb(box[0] / 2 + box[1] / 2)
-        q = q0.union(arb(box[0])).union(arb(box[1]))
-        at, wide = moving.germ(acb(0, q0), value, 3), moving.germ(acb(0, q), value, 4)
+    def holds(a: float, b: float) -> bool:
+        q0 = arb(a / 2 + b / 2)
+        q = q0.union(arb(a)).union(arb(b))
+        try:
+            at, wide = moving.germ(acb(0, q0), value, 3), moving.germ(acb(0, q), value, 4)
+        except PrecisionError:
+            return False
         return bool(6 * at.value[3].real - abs(q - q0).upper() * abs(24 * wide.value[4]) > 0)
 
-    return _everywhere((0.0, reach, 0.0, 0.0), holds, effort)
+    waiting, tried = [(0.0, float(reach), 0)], 0
+    while waiting:
+        a, b, depth = waiting.pop()
+        tried += 1
+        effort.spend(1)
+        if not holds(a, b):
+            if depth > _DEEPEST or tried > _PARTS:
+                return False
+            m = a / 2 + b / 2
+            waiting += [(a, m, depth + 1), (m, b, depth + 1)]
+    return True
 
 
 def _falls(moving: Moving, below: float, value: arb, reach: float, effort: Effort) -> bool:
@@ -116,31 +129,6 @@ def _falls(moving: Moving, below: float, value: arb, reach: float, effort: Effor
         return moving.waves.rises(a, b).astype(np.int8), ((b - a) / (high - low)[:, None]).argmax(0)
 
     return not len(subdivide(low, high, judge, effort, smallest=2.0**-9).tree.open)
-
-
-def _everywhere(box: tuple[float, float, float, float], holds: Any, effort: Effort) -> bool:
-    """The test on all of a box, halved where it fails; False where that goes on for too long."""
-    waiting, tried = [(box, 0)], 0
-    span = (box[1] - box[0], box[3] - box[2] or 1.0)
-    while waiting:
-        (a, b, c, d), depth = waiting.pop()
-        tried += 1
-        effort.spend(1)
-        try:
-            held = holds((a, b, c, d))
-        except PrecisionError:
-            held = False
-        if held:
-            continue
-        if depth > 16 or tried > _PARTS:
-            return False
-        if (b - a) / span[0] > (d - c) / span[1]:
-            m = a / 2 + b / 2
-            waiting += [((a, m, c, d), depth + 1), ((m, b, c, d), depth + 1)]
-        else:
-            m = c / 2 + d / 2
-            waiting += [((a, b, c, m), depth + 1), ((a, b, m, d), depth + 1)]
-    return True
 
 
 def unscaled(moving: Moving) -> Fraction:

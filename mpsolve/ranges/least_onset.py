@@ -34,7 +34,7 @@ from mpsolve.ranges.first_seen import each_seen
 from mpsolve.ranges.glance import count_seen
 from mpsolve.ranges.ridge import HALF, Ridge, alone, ridge
 from mpsolve.ranges.scope import OpenError, Scope
-from mpsolve.ranges.stationary import Candidate, Lowest, at_end, lowest_near, sharpened
+from mpsolve.ranges.stationary import Candidate, Lowest, lowest_near, proved_lowest
 
 _COLUMNS = 6  # values of the second parameter at which crossings are looked for
 _CLOSER = 4  # times, each between the neighbours of the lowest column
@@ -121,7 +121,8 @@ class Question:
         cover = subdivide(low, high, judge, self.budget, tell=lambda share: self.progress("boxes", 0.9 * share))
         if cover.reason is not None:
             raise OpenError(cover.reason)
-        lowest = self._sharp(found)
+        goal = ceil(self.digits * log2(10)) + 16
+        lowest = proved_lowest(CrossingCurve(self.scope.proved), found, self.scope.family.box[1], goal)
         x = lowest.state[1]
         if not all(curve.holds(state, y) for y, state in lowest.beside) or not x < arb(float(ceiling)):
             raise OpenError(Reason("worst", "the least onset is not proved to lie where it was found", {}, _NEXT))
@@ -226,14 +227,6 @@ class Question:
         if cover.reason is not None:
             raise OpenError(cover.reason)
         return Least(None, None, None, "", self._proof(cover, ()))
-
-    def _sharp(self, found: Candidate) -> Lowest:
-        goal = ceil(self.digits * log2(10)) + 16
-        curve = CrossingCurve(self.scope.proved)
-        if found.where == "inside":
-            return sharpened(curve, found, goal)
-        end = self.scope.family.box[1][found.where == "end"]
-        return at_end(curve, found, lambda: rational_ball(end), goal)
 
     def _proof(self, cover: Covered, known: tuple[Any, ...]) -> tuple[Proof, ...]:
         family = self.scope.family

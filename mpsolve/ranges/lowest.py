@@ -30,7 +30,7 @@ from mpsolve.ranges.least_seen import least_seen
 from mpsolve.ranges.line import Line, cross_line
 from mpsolve.ranges.rootcurve import RootCurve
 from mpsolve.ranges.scope import OpenError, Scope
-from mpsolve.ranges.stationary import Candidate, Lowest, at_end, lowest_near, sharpened
+from mpsolve.ranges.stationary import Candidate, Lowest, lowest_near, proved_lowest
 from mpsolve.spectrum.candidates import Area
 from mpsolve.spectrum.regions import Below, HalfPlane
 from mpsolve.tracks.at_rest import lowest_cut
@@ -177,19 +177,13 @@ class Question:
             return None
         goal = ceil(self.digits * log2(10)) + 24
         raised = replace(found, state=(found.state[0] - acb(0, rational_ball(line.height)),))
-        lowest = self._sharp(line, raised, goal)
+        lowest = proved_lowest(RootCurve(line.scope.proved), raised, self.scope.family.box[0], goal)
         (q,) = lowest.state
         if not all(cover.holds(root, x) for x, (root,) in lowest.beside) or not q.imag < 0:
             return None
         if number == 2 and not q.real > 0:  # else its mirror may be itself, and the second root another one
             return None
         return self._in_units(line, lowest, found.where)
-
-    def _sharp(self, line: Line, found: Candidate, goal: int) -> Lowest:
-        if found.where == "inside":
-            return sharpened(RootCurve(line.scope.proved), found, goal)
-        end = self.scope.family.box[0][found.where == "end"]
-        return at_end(RootCurve(line.scope.proved), found, lambda: rational_ball(end), goal)
 
     def _in_units(self, line: Line, lowest: Lowest, where: str) -> Found:
         family = self.scope.family

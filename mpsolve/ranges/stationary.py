@@ -7,10 +7,11 @@ axis over a second parameter, with the first one as its height.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any, Protocol
 
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.balls import arb, precision
+from mpsolve.numbers.balls import arb, precision, rational_ball
 
 State = tuple[Any, ...]
 """Numbers of a point of the curve."""
@@ -142,8 +143,11 @@ def _enclosed(curve: Curve, x: arb, state: State, goal: int) -> Lowest:
         return Lowest(between, curve.over(state, between), tuple(beside))
 
 
-def at_end(curve: Curve, found: Candidate, x: Any, goal: int) -> Lowest:
-    """The point over an end x̂ of the range; x: gives the ball of the exact number."""
+def proved_lowest(curve: Curve, found: Candidate, ends: tuple[Fraction, Fraction], goal: int) -> Lowest:
+    """The lowest point in balls: inside of the range, or over one of its exact ends."""
+    if found.where == "inside":
+        return sharpened(curve, found, goal)
     with precision(goal + 2 * GUARD):
-        state = curve.over(found.state, x())
-        return Lowest(x(), state, ((x(), state),))
+        x = rational_ball(ends[found.where == "end"])
+        state = curve.over(found.state, x)
+        return Lowest(x, state, ((x, state),))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import pytest
@@ -10,7 +11,7 @@ from flint import arb
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, precision
-from mpsolve.ranges.stationary import at_end, lowest_near, sharpened
+from mpsolve.ranges.stationary import lowest_near, proved_lowest, sharpened
 
 
 @dataclass(frozen=True)
@@ -53,7 +54,8 @@ def test_a_minimum_at_an_end(start: float, end: float, where: str) -> None:
     found = lowest_near(Cubic(), (acb(0),), (start + end) / 2, (arb(start), arb(end)), 0.1)
     assert found.where == where
     x = arb(start if where == "start" else end)
-    assert at_end(Cubic(), found, lambda: x, 100).state[0].imag.overlaps(x**3 / 3 - 2 * x)
+    ends = Fraction(start), Fraction(end)
+    assert proved_lowest(Cubic(), found, ends, 100).state[0].imag.overlaps(x**3 / 3 - 2 * x)
 
 
 def test_a_maximum_is_no_minimum() -> None:
