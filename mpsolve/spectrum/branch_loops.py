@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import field, replace
 from fractions import Fraction
 from typing import Any
@@ -124,24 +125,26 @@ def _meeting(line: Line, z: float) -> complex | None:
     return complex(0, middle.imag) if abs(middle.real) < _REAL * size else None
 
 
-def find_loop(line: Line, paths: Paths, point: BranchPoint, effort: Effort) -> Loop:
-    """The largest loop of a ladder round the branch point; PrecisionError where none is proved."""
+def find_loops(line: Line, halves: Sequence[Paths], point: BranchPoint, effort: Effort) -> list[Loop]:
+    """The largest loop of a ladder round the branch point, for each half; PrecisionError where none is proved."""
     sites = len(line.lower.places)
     turns, poles = (4, 4 if sites > 1 else 3) if point.multiplicity > 2 else (2, min(point.multiplicity, sites))
-    near = about(paths.arrays.reduced, point.exact, point.pole)
+    near = [about(paths.arrays.reduced, point.exact, point.pole) for paths in halves]
     linked = not line.height and not line.joined  # real roots may lie in the gap
     for sides in (_SIDES[:_FEW], _SIDES[_FEW:]):  # more of them are tried where no smaller loop will do
         for ratio in _RATIOS:
             large = ratio > _SMALL
-            arrays, centre = (paths.arrays, float(np.float32(point.z))) if large else (near, 0.0)
-            loop = _turned(paths, arrays, point, centre, ratio * point.room, (turns, poles), sides, effort)
-            if loop is None:
-                continue
-            if large:
-                return loop
-            ways = ways_to(paths, near, loop.radius, _JOIN * point.room, linked, effort)
-            turn, lost = (x + y for x, y in zip(loop.half, ways.turn, strict=True))
-            return replace(loop, half=(turn, (lost + 4 * U * abs(turn)) * UP), ways=ways)
+            arrays = [paths.arrays for paths in halves] if large else near
+            centre = float(np.float32(point.z)) if large else 0.0
+            loops = _turned(halves[0], arrays, point, centre, ratio * point.room, (turns, poles), sides, effort)
+            if loops and large:
+                return loops
+            if loops:
+                reach = _JOIN * point.room
+                told = (
+                    ways_to(*one, loops[0].radius, reach, linked, effort) for one in zip(halves, near, strict=True)
+                )
+                return [_with_ways(loop, ways) for loop, ways in zip(loops, told, strict=True)]
     unit = float(line.lower.frequency_unit)
     place = f"the branch point of the cuts at Re q = {point.z * unit:.8g}"
     raise PrecisionError(
@@ -149,30 +152,35 @@ def find_loop(line: Line, paths: Paths, point: BranchPoint, effort: Effort) -> L
     )
 
 
+def _with_ways(loop: Loop, ways: Ways) -> Loop:
+    turn, lost = (x + y for x, y in zip(loop.half, ways.turn, strict=True))
+    return replace(loop, half=(turn, (lost + 4 * U * abs(turn)) * UP), ways=ways)
+
+
 def _turned(
     paths: Paths,
-    arrays: Arrays,
+    halves: Sequence[Arrays],
     point: BranchPoint,
     centre: float,
     radius: float,
     asked: tuple[int, int],
     numbers: tuple[int, ...],
     effort: Effort,
-) -> Loop | None:
-    """The loop of this radius, of one of the numbers of sides; asked: how often it goes round, its poles."""
+) -> list[Loop]:
+    """The loop of this radius, of one of the numbers of sides, for each half, or none; asked: rounds and poles."""
     radius, (turns, poles) = float(np.float32(radius)), asked
     for sides in numbers:
         points = _polygon(centre, radius, sides, turns)
         effort.spend(2 * len(points))
-        ends = split(arrays.D, 1j * points[[0, sides // 2]], np.zeros(2), paths.up)
-        turn = turn_round(arrays, ends, points, sides // 2, paths.room, point.pole)
-        if turn is None:
+        ends = split(halves[0].D, 1j * points[[0, sides // 2]], np.zeros(2), paths.up)
+        found = turn_round(halves, ends, points, sides // 2, paths.room, point.pole)
+        if found is None:
             continue
         with precision(64):
-            number = (arb(*turn.whole) / (2 * arb.pi())).unique_fmpz()
-        right = number is not None and int(number) == -poles
-        return Loop(centre, radius, sides, points, turn.part) if right else None
-    return None
+            rounds = [(arb(*turn.whole) / (2 * arb.pi())).unique_fmpz() for turn in found]
+        right = all(number is not None and int(number) == -poles for number in rounds)
+        return [Loop(centre, radius, sides, points, turn.part) for turn in found] if right else []
+    return []
 
 
 def _polygon(centre: float, radius: float, sides: int, turns: int) -> Any:

@@ -27,7 +27,7 @@ from mpsolve.numbers.balls import precision
 from mpsolve.problem.line import Line
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.winding import number_of_zeros
-from mpsolve.spectrum.branch_loops import Loop, edge_points, find_loop
+from mpsolve.spectrum.branch_loops import Loop, edge_points, find_loops
 from mpsolve.spectrum.closing import pivot_sum
 from mpsolve.spectrum.edge_at_rest import Rest, past_branch_points
 from mpsolve.spectrum.far_line import FarLine, prove_far, turn_beyond
@@ -119,8 +119,10 @@ def count_sheet(line: Line, effort: Effort, room: float = ROOM) -> SheetCount:
     end = _passive_end(line)
     points = edge_points(line)
     inner = [point for point in points if point.z < end] if joined else points[:1]  # up to where a half closes
-    round_below = [find_loop(line, below, point, effort) for point in (points if far else inner)]
-    round_above = [find_loop(line, above, point, effort) for point in inner] if far and joined else []
+    count = len(inner) if far and joined else 0  # branch points on the way on both halves
+    loops = [find_loops(line, (below, above), point, effort) for point in points[:count]]
+    loops += [find_loops(line, (below,), point, effort) for point in (points if far else inner)[count:]]
+    round_below, round_above = [one[0] for one in loops], [one[1] for one in loops[:count]]
     begin = 0.0 if joined else round_below[0].first
     end = max([end, begin, *(loop.last for loop in (round_above if far else round_below))])
     ways = [_way(line, begin, far.reach if far else end, round_below)]

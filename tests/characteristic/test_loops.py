@@ -42,9 +42,10 @@ def turned(
     points[-1], points[sides // 2] = points[0], centre + radius
     arrays = Arrays(line.lower)
     first = split(arrays.D, 1j * points[[0, sides // 2]], np.zeros(2), 2)
-    found = turn_round(arrays, first, points, sides // 2, 1.0, pole)
-    if found is None:
+    both = turn_round([arrays], first, points, sides // 2, 1.0, pole)
+    if both is None:
         return None
+    (found,) = both
     assert max(found.whole[1], found.part[1]) < 0.1
     return found.whole[0] / (2 * pi), found.part[0] / (2 * pi)
 

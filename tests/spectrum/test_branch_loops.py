@@ -14,7 +14,7 @@ from mpsolve.problem.line import Line, on_line
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import reduce_problem
 from mpsolve.proof.effort import Effort
-from mpsolve.spectrum.branch_loops import Loop, edge_points, find_loop
+from mpsolve.spectrum.branch_loops import Loop, edge_points, find_loops
 
 
 def made(v: object, M: object = 70, N: object = 0) -> Line:
@@ -27,7 +27,17 @@ def made(v: object, M: object = 70, N: object = 0) -> Line:
 def loops(line: Line, effort: Effort | None = None) -> list[Loop]:
     paths = Paths(Arrays(line.lower), start(line.lower.guide))
     budget = effort or Effort(evaluations=100_000)
-    return [find_loop(line, paths, point, budget) for point in edge_points(line)]
+    return [find_loops(line, [paths], point, budget)[0] for point in edge_points(line)]
+
+
+def test_the_loops_of_both_halves_are_those_of_each_by_itself() -> None:
+    line = made("1.2")
+    first, budget = start(line.lower.guide), Effort(evaluations=100_000)
+    halves = [Paths(Arrays(half), first) for half in (line.lower, line.upper)]
+    for point in edge_points(line):
+        both = find_loops(line, halves, point, budget)
+        assert both == [find_loops(line, [half], point, budget)[0] for half in halves]
+        assert both[0].half != both[1].half
 
 
 def test_only_points_of_the_edge_need_a_loop() -> None:
