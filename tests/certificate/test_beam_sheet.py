@@ -36,7 +36,7 @@ def sheet(track=None, velocity="9/10", car=None):
 # --- the track ------------------------------------------------------------------------------------------------
 
 PULLED = [[0, 0, "-1"], [0, 2, "-1"], [4, 0, "-1/4"]]
-ENTRIES = [(2, 0, "1/4")], [(0, 2, -1), (0, 0, -1)], [(0, 0, 1)], [(2, 0, 1)]  # their D is the beam's, N = P²
+ENTRIES = [(2, 0, "1/4")], [(0, 2, -1), (0, 0, -1)], [(0, 0, 1)], [(2, 0, 1), (0, 0, 1)]  # D is a beam's, N = P² + 1
 SHIFTED = {"matrix": [[p.poly(*x) for x in ENTRIES[k : k + 2]] for k in (0, 2)], "loaded": 0}
 TRACKS = {
     "damped in itself": (p.beam("1/4", 1, 1, "1/10", eta="1/10"), "one layer only"),

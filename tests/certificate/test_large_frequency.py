@@ -31,10 +31,10 @@ FALSE = {
     "a bound that falls too fast": ({"alpha": 8}, "alpha is too large"),
     "no envelope": ({"envelope": [0, 0]}, "not positive"),
     "the bound falls as p⁻³, absorption as q^−5/2": ({"alpha": 3, "envelope": [24, -9]}, "absorption falls faster"),
-    "no exponent": ({"gamma": [0, 0]}, "out of range"),
-    "an exponent above 1": ({"gamma": [2, 1]}, "out of range"),
-    "no part of short waves": ({"omega": [0, 0]}, "out of range"),
-    "no block": ({"blocks": []}, "out of range"),
+    "no exponent": ({"gamma": [0, 0]}, "numbers are out of range"),
+    "an exponent above 1": ({"gamma": [2, 1]}, "numbers are out of range"),
+    "no part of short waves": ({"omega": [0, 0]}, "numbers are out of range"),
+    "no block": ({"blocks": []}, "numbers are out of range"),
 }
 
 
