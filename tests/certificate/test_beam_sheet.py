@@ -36,7 +36,7 @@ def sheet(track=None, velocity="9/10", car=None):
 # --- the track ------------------------------------------------------------------------------------------------
 
 PULLED = [[0, 0, "-1"], [0, 2, "-1"], [4, 0, "-1/4"]]
-ENTRIES = [(2, 0, "1/4")], [(0, 2, -1), (0, 0, -1)], [(0, 0, 1)], [(2, 0, 1)]  # their D is the beam's, N = P²
+ENTRIES = [(2, 0, "1/4")], [(0, 2, -1), (0, 0, -1)], [(0, 0, 1)], [(2, 0, 1), (0, 0, 1)]  # D is a beam's, N = P² + 1
 SHIFTED = {"matrix": [[p.poly(*x) for x in ENTRIES[k : k + 2]] for k in (0, 2)], "loaded": 0}
 TRACKS = {
     "damped in itself": (p.beam("1/4", 1, 1, "1/10", eta="1/10"), "one layer only"),
@@ -107,6 +107,26 @@ def _beyond_the_loop(c):
     c["paths"][1]["points"].append(c["paths"][1]["points"][-2])
 
 
+def _before_the_end(c):
+    """So slow waves are not passive yet."""
+    m, _, e = c["paths"][2]["points"][-2]
+    c["theorem"]["end"] = [m, e]
+
+
+def _before_the_begin(c):
+    c["theorem"]["begin"] = [-1, -9]
+
+
+def _on_the_cut(c):
+    """From where a p-root is real."""
+    m, _, e = c["paths"][2]["points"][1]
+    c["theorem"]["begin"] = [m, e]
+
+
+def _in_the_gap(c):
+    c["theorem"]["end"] = c["theorem"]["begin"]
+
+
 def _beyond_the_end(c):
     c["paths"][2]["points"].append(c["paths"][2]["points"][-2])
 
@@ -138,6 +158,11 @@ FORGERIES = {
     "a link over the line of the cuts": ("single_mass", _link_above, "above the line"),
     "a turn that goes on beyond its loop": ("undamped_supercritical", _beyond_the_loop, "not end where its loop"),
     "a turn that goes on beyond the end": ("undamped_supercritical", _beyond_the_end, "where the count closes"),
+    "an end too soon": ("undamped_supercritical", _before_the_end, "not passive beyond the end"),
+    "a begin below 0": ("undamped_supercritical", _before_the_begin, "begins or ends elsewhere"),
+    "an end before the begin": ("undamped_subcritical", lambda c: c["theorem"].update(end=[0, 0]), "ends elsewhere"),
+    "a begin on the cut": ("undamped_supercritical", _on_the_cut, "not begin in the gap"),
+    "an end in the gap": ("undamped_subcritical", _in_the_gap, "without damping the path ends on the cut"),
     "a turn that begins elsewhere": ("undamped_supercritical", _begins_elsewhere, "where the one before ends"),
     "a damper without damping of the track": ("undamped_subcritical", _a_damper, "vehicle is not passive"),
     "loops above, and no path there": ("single_mass", _loops_above, "loops without a path"),

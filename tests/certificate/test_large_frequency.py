@@ -27,12 +27,14 @@ FALSE = {
     "a block twice with one back between": ({"blocks": [BLOCK, [END, START, [1, -40]], BLOCK]}, "block is empty"),
     "a block that gives": ({"blocks": [BLOCK, [END, [10676957, -23], [-1, -40]]]}, "block is empty"),
     "more is given than taken": ({"envelope": [1, 9]}, "do not absorb"),
+    "a block that reaches too far": ({"blocks": [[START, [1, 10], KAPPA]]}, "to where the track gives"),
+    "a bound that falls too fast": ({"alpha": 8}, "alpha is too large"),
     "no envelope": ({"envelope": [0, 0]}, "not positive"),
     "the bound falls as p⁻³, absorption as q^−5/2": ({"alpha": 3, "envelope": [24, -9]}, "absorption falls faster"),
-    "no exponent": ({"gamma": [0, 0]}, "out of range"),
-    "an exponent above 1": ({"gamma": [2, 1]}, "out of range"),
-    "no part of short waves": ({"omega": [0, 0]}, "out of range"),
-    "no block": ({"blocks": []}, "out of range"),
+    "no exponent": ({"gamma": [0, 0]}, "numbers are out of range"),
+    "an exponent above 1": ({"gamma": [2, 1]}, "numbers are out of range"),
+    "no part of short waves": ({"omega": [0, 0]}, "numbers are out of range"),
+    "no block": ({"blocks": []}, "numbers are out of range"),
 }
 
 

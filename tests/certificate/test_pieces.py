@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import planner as p
 import pytest
-from flint import acb, acb_mat, arb, fmpq
+from flint import acb, acb_mat, arb, arb_mat, fmpq
 
 from mpsolve.certificate import verify2 as v2
 
@@ -96,6 +96,22 @@ def test_a_matrix_of_no_numbers_has_no_inverse():
             v2.near_inverse(acb_mat(n, n, [*[acb(arb("nan"))], *[1] * (n * n - 1)]))
     with pytest.raises(v2.Refused, match="singular"):
         v2.near_inverse(acb_mat([[1, acb(arb("nan"))], [1, 1]]))
+
+
+@pytest.mark.parametrize("bad", ["nan", "inf"])
+def test_numbers_that_are_none_prove_nothing(bad):
+    """Not that a matrix contracts, nor that it is definite, nor that a determinant does not vanish."""
+    none, one = arb(bad), v2.identity(2)
+    for at in range(4):
+        entries = [none if k == at else arb(k in (0, 3)) / 9 for k in range(4)]
+        assert not v2.contracting(arb_mat(2, 2, entries))
+        assert not v2.definite([one], arb_mat(2, 2, entries))
+        with pytest.raises(v2.Refused):
+            v2.Turn.over(([one, one * 0], arb_mat(2, 2, entries)), v2.Place.disc(acb(0), arb(1)))
+        with pytest.raises(v2.Refused):
+            v2.Turn.over(([acb_mat(2, 2, [acb(x) for x in entries]), one], one.real), v2.Place.disc(acb(0), arb(1)))
+        with pytest.raises(v2.Refused):
+            v2.check_zeros(([acb_mat(2, 2, [acb(x) for x in entries]), one], one.real * 0), 1)
 
 
 def test_kernels_without_a_bound_are_refused():

@@ -158,6 +158,12 @@ def test_polynomials_in_many_parameters_are_not_expanded_for_ever():
         v2.bernstein({(4,) * 7: fmpq(1)}, unit * 7, fmpq_mat)
 
 
+def test_equations_that_are_too_long_are_refused(monkeypatch):
+    monkeypatch.setattr(v2, "MAX_SIZE", 2)
+    assert reason(BEAM) == ""
+    assert "too long" in reason(p.two_layer(1, 1, 1, 1, 1, 1, 1))
+
+
 def test_the_work_of_all_pieces_is_bounded():
     walker = v2.Walker(None, None)
     walker.spend(v2.MAX_WORK / 2)

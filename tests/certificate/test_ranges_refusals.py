@@ -182,6 +182,18 @@ def test_a_box_that_stays_open_is_not_halved_for_ever(monkeypatch: pytest.Monkey
     assert some.pieces == min(left, vr.DEPTH + 1)
 
 
+def test_the_work_of_cells_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
+    def never(*_: Any) -> None:
+        raise vr.Wide("a box is open")
+
+    some = vr.Family(None, None, PLANE, None, None, None, 12)  # type: ignore[arg-type]
+    monkeypatch.setattr(vr.Family, "scalar", never)
+    regions = vr.Regions(["0" * 64] * 64, PLANE)
+    with pytest.raises(vr.Refused, match="asks for more work"):
+        vr.check_regions(some, regions, ((fmpq(0), fmpq(1)), *PLANE))
+    assert some.pieces <= 13
+
+
 PLANE = ((fmpq(0), fmpq(3)), (fmpq(0), fmpq(2)))
 CELLS: dict[str, tuple[Any, list[tuple[Any, Any]], str]] = {
     "right": (["00", "0.", "11"], [("1/2", 1), ("5/2", 1)], ""),
