@@ -1,7 +1,7 @@
 """−Im G(0, q) > 0 for one contact, for all q > 0 and all velocities of an interval: boxes of (q, v), halved in turn.
 
-Boxes that hold q = 0 are of −Im G/q. Integrals over cells of wavenumber decide most of them, many at once; where what
-is taken and what is given nearly balance, the germ of G does, box by box.
+Boxes that hold q = 0 are of −Im G/q. The waves of the track decide nearly all. As v → 0 some tracks lose a wave, that
+runs to infinity: boxes that reach there are decided by integrals over cells of wavenumber.
 """
 
 from __future__ import annotations
@@ -13,9 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.errors import PrecisionError
 from mpsolve.numbers.arrays import Reals
-from mpsolve.numbers.balls import acb, arb, precision
 from mpsolve.passivity.blocks import passive_on
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.far import far
@@ -27,10 +25,8 @@ from mpsolve.problem.reduced import Guide
 from mpsolve.proof.effort import Effort
 
 _COARSE, _FINE = 12, 384  # cells on each side of a wave: twice as many after every second halving
-_GERMS = 11  # halvings from which single boxes are looked at by the germ
-_SLOW = 14  # halvings from which boxes that the waves leave open are looked at by integrals over wavenumber
-_DEEPEST = 26
-_BITS = 80
+_SLOW = 8  # halvings from which boxes are looked at by integrals over wavenumber
+_DEEPEST = 30
 
 
 @dataclass(frozen=True)
@@ -48,6 +44,11 @@ class Moving:
     def waves(self) -> Waves:
         """Its p-roots over boxes of (q, v)."""
         return Waves(self.guide, self.upper)
+
+    @property
+    def loses_a_wave(self) -> bool:
+        """Whether D is of a lower degree in P at rest."""
+        return max(i for i, _ in self.guide.D_rest) < max(i + j for i, j in self.guide.D_rest)
 
     def germ(self, sigma: Any, v: Any, order: int) -> Germ:
         """The germ of G(0, σ) at balls of σ and of the scaled velocity."""
@@ -89,24 +90,20 @@ def cover(strip: Strip, first: float, effort: Effort) -> Reals:
         if not len(boxes):
             break
         effort.spend(len(boxes))
-        passed = _passed(strip, near, boxes, level)
-        if level >= _GERMS:
-            for k in np.flatnonzero(~passed):
-                effort.spend(1)
-                passed[k] = positive_by_germ(strip.moving, *boxes[k].tolist())
-        boxes = _halved(boxes[~passed], level, strip.high)
+        boxes = _halved(boxes[~_passed(strip, near, boxes, level)], level, strip.high)
     return boxes
 
 
 def _passed(strip: Strip, near: Near, boxes: Reals, level: int) -> Any:
-    side = min(_COARSE * 2 ** (level // 2), _FINE)
     low, high = boxes[:, [0, 2]], boxes[:, [1, 3]]
     passed = strip.moving.waves.passes(low.T, high.T)
-    if level < _SLOW:
+    slow = ~passed & strip.moving.loses_a_wave & (2 * boxes[:, 2] <= boxes[:, 3])
+    if level < _SLOW or not slow.any():
         return passed
-    below = ~passed & (boxes[:, 1] <= near.reach)
+    side = min(_COARSE * 2 ** (level // 2), _FINE)
+    below = slow & (boxes[:, 1] <= near.reach)
     passed[below] = near.passes(low[below], high[below], side)
-    rest = ~passed & (boxes[:, 0] > 0)
+    rest = slow & ~passed & (boxes[:, 0] > 0)
     passed[rest] = passive_on(strip.envelope, low[rest], high[rest], side)
     return passed
 
@@ -126,24 +123,3 @@ def _halved(boxes: Reals, level: int, high: float) -> Reals:
     first[rows, np.where(by_q, 1, 3)] = between
     second[rows, np.where(by_q, 0, 2)] = between
     return np.concatenate([first, second])
-
-
-def positive_by_germ(moving: Moving, a: float, b: float, c: float, d: float) -> bool:
-    """Whether −Im G(0, q) > 0, or −Im G/q where a = 0, is proved for a ≤ q ≤ b, c ≤ v ≤ d, by a first-order form."""
-    with precision(_BITS):
-        v0, q0 = arb(c / 2 + d / 2), arb(a / 2 + b / 2)
-        v, q = v0.union(arb(c)).union(arb(d)), q0.union(arb(a)).union(arb(b))
-        rv, rq = abs(v - v0).upper(), abs(q - q0).upper()
-        try:
-            wide = moving.germ(acb(0, q), v, 3 if a == 0 else 1)
-            if a == 0:
-                at, along = moving.germ(acb(0), v0, 1), moving.germ(acb(0), v, 1)
-                bend = 6 * wide.value[3].real  # of −Re G_σ(iq), which is even in q
-                lost = arb(b) ** 2 / 2 * bend
-                rest = lost.min(arb(0)) - rv * abs(along.by_velocity[1].real)
-                return bool(-at.value[1].real + rest > 0)
-            at = moving.germ(acb(0, q0), v0, 0)
-            rest = rq * abs(wide.value[1].real) + rv * abs(wide.by_velocity[0].imag)
-            return bool(-at.value[0].imag - rest > 0)
-        except PrecisionError:
-            return False

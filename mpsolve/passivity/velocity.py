@@ -38,7 +38,7 @@ from mpsolve.tracks.passive import passivity
 from mpsolve.tracks.string import String
 from mpsolve.tracks.waveguide import Track, Waveguide, moving
 
-_EVALUATIONS = 20000
+_EVALUATIONS = 60_000
 _GRID = 32  # velocities at which floats look for a loss
 _BELOW_WAVES = Fraction(999, 1000)  # of the least wave speed in the range: how far the proof is tried
 _MOST_DIGITS = 10_000
