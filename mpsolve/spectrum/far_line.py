@@ -199,9 +199,9 @@ def _argument(line: Line, up: int, reach: float) -> arb:
 
 
 def travelling(waves: Sequence[tuple[acb, acb]], sign: int) -> tuple[acb, acb]:
-    """P and ±N/D_P of the one wave of a side that is not proved to decay."""
+    """P and ±N/D_P of the one wave of a side that is not proved to decay; the sign of its weight proves its side."""
     found = [(P, sign * w) for P, w in waves if not sign * P.real < 0]
-    if len(found) != 1:
+    if len(found) != 1 or not found[0][1].imag < 0:
         raise PrecisionError("the waves far out are not told apart")
     return found[0]
 

@@ -813,6 +813,17 @@ def test_a_determinant_whose_leading_block_is_singular():
     assert abs(complex(turn.det) + 1) < 1e-12  # five exchanges
 
 
+def test_a_determinant_whose_leading_block_is_nearly_singular():
+    rng = np.random.default_rng(3)
+    R = rng.normal(size=(10, 10)) + 1j * rng.normal(size=(10, 10))
+    R[0, :5] = R[1, :5] + 1e-6 * rng.normal(size=5)
+    turn = v2.Turn(v2.Place.disc(acb(0), arb(1)), acb_mat(R.tolist()), acb(0), arb(0))
+    with v2.precision(64):
+        det = turn.det
+    assert abs(complex(det) / np.linalg.det(R) - 1) < 1e-9
+    assert det.rel_accuracy_bits() > 30  # by halves 4
+
+
 def test_a_bound_of_the_argument_is_nearly_met():
     """det A = 1 + t, |t| = 0.9: arg(1 + t) differs from Im t by a part of what −log(1 − 0.9) − 0.9 allows."""
     turn = v2.Turn.over(([acb_mat([[1]]), acb_mat([["0.9"]])], arb_mat([[0]])), v2.Place.disc(acb(0), arb("0.9")))

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,6 +18,8 @@ from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.problem.line import Line, on_line
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import reduce_problem
+from mpsolve.spectrum import far_line
+from mpsolve.spectrum.closing import edge_splitting
 from mpsolve.spectrum.far_line import Beam, _floor, _waves, beyond, prove_far, spread_beyond, turn_beyond
 
 
@@ -137,3 +141,34 @@ def test_a_range_of_beams_has_a_reach_for_all() -> None:
             spread = spread_beyond(one, 2, arb(found.reach))
             assert spread is not None
             assert spread.upper() <= found.spread.upper()
+
+
+@pytest.mark.parametrize("v", ["0", "0.67", "1.3"])
+def test_travelling_waves_on_the_wrong_sides_are_not_taken(v: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Floats choose the sides of two roots that both have Re P = 0: the signs of their weights prove them."""
+    line = made(v)
+    far, up = prove_far(line), start(line.lower.guide).up
+
+    def exchanged(*args: Any) -> Any:
+        found = edge_splitting(*args)
+        P = list(found.roots or ())
+        a, c = (k for k, x in enumerate(P) if x.real.contains(0))
+        P[a], P[c] = P[c], P[a]
+        return replace(found, roots=tuple(P))
+
+    assert turn_beyond(line, up, far).is_finite()
+    monkeypatch.setattr(far_line, "edge_splitting", exchanged)
+    with pytest.raises(PrecisionError, match="not told apart"):
+        turn_beyond(line, up, far)
+
+
+def test_masses_at_one_place_turn_as_their_sum() -> None:
+    """A mass M under a contact with factor b counts as M/b²."""
+    M = [[90 if i == j == 0 else 20 if i == j == 1 else 50 if i == j else 0 for j in range(3)] for i in range(3)]
+    none = [[0] * 3] * 3
+    car = vehicles.Vehicle(M=M, C=none, K=none, B=[[0, 3, 0], [0, 0, -1], [2, 0, 0]], places=[0, "1.5", "1.5"])
+    track = tracks.EulerBernoulli(EI="1/4", m=1, k=1, c="0.1")
+    lines = [on_line(reduce_problem(Problem(track, [car], v="0.67"))), made(sizes=("12.5", 30))]
+    turns = [turn_beyond(line, start(line.lower.guide).up, prove_far(line)) for line in lines if line is not None]
+    assert len(turns) == 2
+    assert abs(float(turns[0].mid() - turns[1].mid())) < 1e-9
