@@ -22,6 +22,7 @@ from mpsolve.problem.inputfile import read_problem
 from mpsolve.problem.problem import Problem
 
 _TICK = 0.04
+_PATIENCE = 60.0  # s that a browser may be silent, as on a busy machine, before what it shows is given up
 
 
 def serve(problem: Problem, title: str, port: int, show: bool) -> None:
@@ -35,7 +36,7 @@ def serve(problem: Problem, title: str, port: int, show: bool) -> None:
     ui.add_head_html(SCRIPT, shared=True)
     ui.run(
         host="127.0.0.1", port=port, show=show, reload=False, title="mpsolve explorer", dark=None,
-        show_welcome_message=False, uvicorn_logging_level="warning", favicon="🛤",
+        show_welcome_message=False, uvicorn_logging_level="warning", favicon="🛤", reconnect_timeout=_PATIENCE,
     )  # fmt: skip
 
 
