@@ -141,26 +141,11 @@ CHARACTERISTIC = [
     ),
 ]
 PASSIVITY = [
-    Mutation(
-        "what is absorbed: one product is taken for the other",
-        "tracks.waveguide",
-        "power",
-        "multiply(nr, di)",
-        "multiply(ni, dr)",
-        "layers",
-    ),
     Mutation("the envelope is ten times too low", "passivity.far", "far_numbers", "C * _MORE", "C / 10"),
     Mutation(
         "V is G without the factor σ", "characteristic.paths", "Paths._evaluate", "positive(sigma * G", "positive(G"
     ),
     Mutation("the Hermitian part is the difference", "proof.definite", "_hermitian", "+ np", "- np"),
-    Mutation(
-        "the exponent of what is absorbed is off by one",
-        "passivity.far_chart",
-        "FarChart.of",
-        "2 * whole - own - m,",
-        "2 * whole - own - 2 * m,",
-    ),
     Mutation(
         "the blocks are three times as long", "passivity.far", "far_numbers", "(a, b, min(", "(3 * a, 3 * b, min("
     ),
