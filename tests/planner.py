@@ -6,7 +6,6 @@ Numbers come in and go out in the problem's own units.
 
 from __future__ import annotations
 
-import hashlib
 import itertools
 import json
 from fractions import Fraction
@@ -14,6 +13,7 @@ from math import pi
 
 import numpy as np
 from flint import acb, arb, fmpq
+from forging import sealed
 
 from mpsolve.certificate import verify2 as v2
 
@@ -142,12 +142,6 @@ def as_point(z):
         return [f"{x.p}/{x.q}" for x in z]
     e = min(as_dyadic(x)[1] for x in z)
     return [*(int(x * v2.power_of_2(-e)) for x in z), e]
-
-
-def seal(content):
-    rest = {k: v for k, v in content.items() if k != "sha256"}
-    canonical = json.dumps(rest, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
-    return {**rest, "sha256": hashlib.sha256(canonical.encode("ascii")).hexdigest()}
 
 
 # --- floats: an independent receptance and count ------------------------------------------------------------------
@@ -448,7 +442,7 @@ def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, dept
             rho_ = q_(rho or (plan_rho(floats, X) if X else 1))
         y0 = q_(start or float(arb(rho_)))
         if reg.kind == "unstable" and track.v == 0:
-            return seal(
+            return sealed(
                 content
                 | {
                     "start": [1, 0],
@@ -506,7 +500,7 @@ def plan(eq, region, roots=True, start=None, basis=None, bits=64, rho=None, dept
     }
     if roots:
         find_roots(content, floats, reg, float(arb(rho_)))
-    return seal(content)
+    return sealed(content)
 
 
 def start_x(floats):
@@ -605,4 +599,4 @@ def refine(content, digits):
             e = value["exponent"] + 52 - bits
             re, im = (int((x * arb(2) ** -e).mid().floor().unique_fmpz()) for x in (q.real, q.imag))
         roots.append(value | {"re": hex(re), "im": hex(im), "exponent": e, "radius": [64, e]})
-    return seal(content | {"roots": roots})
+    return sealed(content | {"roots": roots})

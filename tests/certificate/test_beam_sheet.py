@@ -2,30 +2,16 @@
 
 from __future__ import annotations
 
-import json
-from functools import cache
-from pathlib import Path
-
 import planner as p
 import pytest
 from flint import acb, fmpq
+from forging import as_file, stored
 
 from mpsolve.certificate import verify2 as v2
 
-CERTS = Path(__file__).parents[2] / "certs"
-
-
-@cache
-def raw(name):
-    return (CERTS / f"{name}.json").read_bytes()
-
-
-def content(name):
-    return json.loads(raw(name))
-
 
 def reason(value):
-    return v2.verify_bytes(json.dumps(p.seal(value)).encode()).reason
+    return v2.verify_bytes(as_file(value)).reason
 
 
 def sheet(track=None, velocity="9/10", car=None):
@@ -75,7 +61,7 @@ def test_neutral_coordinates_are_refused():
     ],
 )
 def test_nothing_grows_on_a_slow_undamped_beam_alone(track, velocity, why):
-    value = content("undamped_subcritical") | {
+    value = stored("undamped_subcritical") | {
         "equations": p.equations(track, velocity, p.masses([40], [0])),
         "theorem": {"half": "passive"},
         "paths": [],
@@ -174,7 +160,7 @@ FORGERIES = {
 @pytest.mark.parametrize("name", FORGERIES)
 def test_a_forgery_is_refused(name):
     file, change, why = FORGERIES[name]
-    value = content(file)
+    value = stored(file)
     change(value)
     assert why in reason(value)
 

@@ -2,24 +2,20 @@
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
-
-import planner as p
 import pytest
 from flint import fmpq
+from forging import as_file, stored
 
 from mpsolve.certificate import verify2 as v2
 
-RAW = (Path(__file__).parents[2] / "certs" / "joined_masses.json").read_bytes()
-BLOCK = json.loads(RAW)["theorem"]["blocks"][0]
+BLOCK = stored("joined_masses")["theorem"]["blocks"][0]
 START, END, KAPPA = BLOCK
 
 
 def judged(**changed):
-    content = json.loads(RAW)
+    content = stored("joined_masses")
     content["theorem"] |= changed
-    return v2.verify_bytes(json.dumps(p.seal(content)).encode()).reason
+    return v2.verify_bytes(as_file(content)).reason
 
 
 FALSE = {
@@ -51,7 +47,7 @@ def test_other_numbers_that_prove_it():
 
 
 def test_a_bound_from_no_wavenumber_on_is_refused():
-    content = json.loads(RAW)
+    content = stored("joined_masses")
     track = v2.read_track(content["equations"]["track"], content["equations"]["velocity"])
     parts = v2.absorption(v2.RING, track.D, track.N)
     v, C, X = track.v, v2.dyadic(content["theorem"]["envelope"], "envelope"), fmpq(9)

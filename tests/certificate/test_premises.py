@@ -9,6 +9,7 @@ from functools import cache
 import planner as p
 import pytest
 from flint import fmpq, fmpq_mat
+from forging import as_file
 
 from mpsolve.certificate import verify2 as v2
 
@@ -24,7 +25,7 @@ def made():
 
 def reason(track=BEAM, car=PAIR, basis=None):
     value = json.loads(made()) | {"equations": p.equations(track, 0, car), "basis": basis}
-    return v2.verify_bytes(json.dumps(p.seal(value)).encode()).reason
+    return v2.verify_bytes(as_file(value)).reason
 
 
 def test_the_file_itself_is_valid():
@@ -122,12 +123,12 @@ def test_coordinates_that_are_what_they_are_called():
 
 def test_a_theorem_that_is_not_needed_is_refused():
     value = json.loads(made()) | {"theorem": {"half": "lower"}}
-    assert "no theorem is needed" in v2.verify_bytes(json.dumps(p.seal(value)).encode()).reason
+    assert "no theorem is needed" in v2.verify_bytes(as_file(value)).reason
 
 
 def test_a_kind_that_is_not_known_is_refused():
     value = json.loads(made()) | {"kind": "sums"}
-    assert "kind is not known" in v2.verify_bytes(json.dumps(p.seal(value)).encode()).reason
+    assert "kind is not known" in v2.verify_bytes(as_file(value)).reason
 
 
 @pytest.mark.parametrize("c", [-3, -1, 0, 1, 3])

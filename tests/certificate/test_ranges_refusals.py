@@ -2,37 +2,22 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
-from functools import cache
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 from flint import fmpq
+from forging import Content, as_file, put, sealed, stored
 
 from mpsolve.certificate import verify_ranges as vr
-from mpsolve.certificate.format import digest
 
-RANGES = Path(__file__).parents[2] / "certs" / "ranges"
 CROSSING, STABLE, CHART = "crossing_over_velocity", "stable_over_damping", "chart_over_damping"
 SLOPED = "nearly_undamped_d1.5"
-Content = dict[str, Any]
-
-
-@cache
-def raw(name: str) -> bytes:
-    return (RANGES / f"{name}.json").read_bytes()
-
-
-def sealed(content: Content) -> Content:
-    rest = {key: value for key, value in content.items() if key != "sha256"}
-    return rest | {"sha256": digest(rest)}
 
 
 def reason(content: Content) -> str:
-    return vr.verify_bytes(json.dumps(sealed(content)).encode(), 300).reason
+    return vr.verify_bytes(as_file(content), 300).reason
 
 
 # --- the track ------------------------------------------------------------------------------------------------
@@ -80,18 +65,6 @@ def test_an_inertia_of_both_signs_is_refused() -> None:
 # --- the file -------------------------------------------------------------------------------------------------
 
 
-def _put(*path: Any) -> Callable[[Content], None]:
-    *where, last, value = path
-
-    def change(content: Content) -> None:
-        place: Any = content
-        for key in where:
-            place = place[key]
-        place[last] = value
-
-    return change
-
-
 def _as_stable(content: Content) -> None:
     """Roots cross the real axis in their rooms, and the claim says that none does."""
     content["kind"], content["claim"] = "stable", {"unstable": 0}
@@ -120,25 +93,25 @@ def _overlapping(content: Content) -> None:
 
 FILES: dict[str, tuple[str, Callable[[Content], Any], str]] = {
     "a range turned": (CROSSING, lambda c: c["range"][0].reverse(), "range is empty"),
-    "a range of one point": (STABLE, _put("range", 0, ["1", "1"]), "range is empty"),
-    "crossings over two": (STABLE, _put("kind", "crossings"), "crossings are over one"),
-    "a chart over one": (CROSSING, _put("kind", "chart"), "a chart is over two"),
-    "a chart without a base": (CHART, _put("base", []), "without a base"),
+    "a range of one point": (STABLE, put("range", 0, ["1", "1"]), "range is empty"),
+    "crossings over two": (STABLE, put("kind", "crossings"), "crossings are over one"),
+    "a chart over one": (CROSSING, put("kind", "chart"), "a chart is over two"),
+    "a chart without a base": (CHART, put("base", []), "without a base"),
     "crossings in a stable range": (CROSSING, _as_stable, "to be stable"),
-    "no frequency": (CROSSING, _put("X", [0, 0]), "not between 0 and Q"),
-    "frequencies beyond the theorem": (CROSSING, _put("X", [1, 40]), "not between 0 and Q"),
+    "no frequency": (CROSSING, put("X", [0, 0]), "not between 0 and Q"),
+    "frequencies beyond the theorem": (CROSSING, put("X", [1, 40]), "not between 0 and Q"),
     "cells in another order": (CROSSING, _overlapping, "not in order"),
-    "no text": (CROSSING, _put("tree", ["n"]), "no text"),
-    "no leaf": (CROSSING, _put("tree", ""), "no text, or too long"),
-    "an open leaf": (STABLE, _put("tree", "o"), "a leaf is open"),
-    "a leaf beside": (CROSSING, _put("tree", "b"), "does not lie beside"),
+    "no text": (CROSSING, put("tree", ["n"]), "no text"),
+    "no leaf": (CROSSING, put("tree", ""), "no text, or too long"),
+    "an open leaf": (STABLE, put("tree", "o"), "a leaf is open"),
+    "a leaf beside": (CROSSING, put("tree", "b"), "does not lie beside"),
     "a leaf after the last": (CROSSING, lambda c: c.update(tree=c["tree"] + "b"), "goes on beyond"),
-    "a leaf that is missing": (CROSSING, _put("tree", "0b"), "does not lie beside"),
-    "absorbing at rest": (CROSSING, _put("tree", "g"), "begins at q = 0"),
-    "absorbing in cells at rest": (CROSSING, _put("tree", "p"), "begins at q = 0"),
-    "absorbing along a slope": (SLOPED, _put("tree", "s-1e-10;p"), "has a slope"),
-    "another mark": (CROSSING, _put("tree", "x"), "not known"),
-    "another variable": (CROSSING, _put("tree", "2nn"), "not known"),
+    "a leaf that is missing": (CROSSING, put("tree", "0b"), "does not lie beside"),
+    "absorbing at rest": (CROSSING, put("tree", "g"), "begins at q = 0"),
+    "absorbing in cells at rest": (CROSSING, put("tree", "p"), "begins at q = 0"),
+    "absorbing along a slope": (SLOPED, put("tree", "s-1e-10;p"), "has a slope"),
+    "another mark": (CROSSING, put("tree", "x"), "not known"),
+    "another variable": (CROSSING, put("tree", "2nn"), "not known"),
     "a base outside": (CROSSING, lambda c: c["base"].update(at=["1"]), "outside the ranges"),
     "a base with another number": (
         CROSSING,
@@ -152,13 +125,13 @@ FILES: dict[str, tuple[str, Callable[[Content], Any], str]] = {
 @pytest.mark.parametrize("name", FILES)
 def test_a_file_is_refused(name: str) -> None:
     file, change, why = FILES[name]
-    content = json.loads(raw(file))
+    content = stored(f"ranges/{file}")
     change(content)
     assert why in reason(content)
 
 
 def test_a_base_counts_all_of_the_lower_half_plane(monkeypatch: pytest.MonkeyPatch) -> None:
-    content = json.loads(raw(CROSSING))
+    content = stored(f"ranges/{CROSSING}")
     _of_a_disc(content)
     valid = vr.spectra.Verdict(True)
     monkeypatch.setattr(vr.spectra, "verify_bytes", lambda _: valid)

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 
-import planner as p
 import pytest
 from flint import fmpq
+from forging import as_file, raw, stored
 
 from mpsolve.certificate import verify2 as v2
 
-RAW = (Path(__file__).parents[2] / "certs" / "contact_wire.json").read_bytes()
+RAW = raw("contact_wire")
 
 
 def reason(**changed):
-    return v2.verify_bytes(json.dumps(p.seal(json.loads(RAW) | changed)).encode()).reason
+    return v2.verify_bytes(as_file(stored("contact_wire") | changed)).reason
 
 
 HEADS = {
@@ -40,12 +39,12 @@ def test_a_file_is_refused(name):
 def test_a_version_that_is_true_is_none():
     head = {"format": "f", "version": True, "kind": "k"}
     with pytest.raises(v2.Refused, match="version True"):
-        v2.opened(json.dumps(p.seal(head)).encode(), {"k": ""}, "f", 1)
-    assert v2.opened(json.dumps(p.seal(head | {"version": 1})).encode(), {"k": ""}, "f", 1)["version"] == 1
+        v2.opened(as_file(head), {"k": ""}, "f", 1)
+    assert v2.opened(as_file(head | {"version": 1}), {"k": ""}, "f", 1)["version"] == 1
 
 
 def test_another_content_than_the_digest_is_of_is_refused():
-    content = json.loads(RAW)
+    content = stored("contact_wire")
     content["claim"]["count"] += 2
     assert v2.verify_bytes(json.dumps(content).encode()).reason == "the digest does not fit the content"
     del content["sha256"]

@@ -2,24 +2,15 @@
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
-
-import planner as p
 import pytest
 from flint import acb_mat, arb_mat, fmpq
+from forging import as_file, stored
 
 from mpsolve.certificate import verify2 as v2
 
-CERTS = Path(__file__).parents[2] / "certs"
-
-
-def content(name):
-    return json.loads((CERTS / f"{name}.json").read_bytes())
-
 
 def reason(value):
-    return v2.verify_bytes(json.dumps(p.seal(value)).encode()).reason
+    return v2.verify_bytes(as_file(value)).reason
 
 
 def root(x, y, r=-20, pair=False, multiplicity=1):
@@ -128,20 +119,20 @@ FORGERIES = {
 @pytest.mark.parametrize("name", FORGERIES)
 def test_a_forgery_is_refused(name):
     file, change, why = FORGERIES[name]
-    value = content(file)
+    value = stored(file)
     change(value)
     assert why in reason(value)
 
 
 def test_a_real_root_of_a_damped_vehicle_is_not_told_from_a_ball(monkeypatch):
     """Without damping q and q̄ are roots together, so that one alone in a ball round a real number is real."""
-    value = content("undamped_subcritical")
+    value = stored("undamped_subcritical")
     assert reason(value) == ""
     monkeypatch.setattr(v2, "count_sheet", lambda *_: 4)
     monkeypatch.setattr(v2, "check_root", lambda *_: None)
     value["equations"]["vehicle"]["C"][0][0] = "1"
     assert "either side" in reason(value)
-    value = content("undamped_subcritical")
+    value = stored("undamped_subcritical")
     _double(value)
     assert "either side" in reason(value)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import hashlib
 import json
 import subprocess
 import sys
@@ -13,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from forging import as_file
 
 from mpsolve import Problem
 from mpsolve.certificate.solve import certify_problem
@@ -42,10 +42,8 @@ def one_mass() -> str:
 
 def written(folder: Path, content: dict[str, Any], name: str = "file.json") -> Path:
     """The content with its digest made anew."""
-    rest = {k: v for k, v in content.items() if k != "sha256"}
-    text = json.dumps(rest, sort_keys=True, separators=(",", ":"))
     path = folder / name
-    path.write_text(json.dumps(rest | {"sha256": hashlib.sha256(text.encode("ascii")).hexdigest()}))
+    path.write_bytes(as_file(content))
     return path
 
 

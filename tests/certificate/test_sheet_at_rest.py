@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import copy
-import json
 from collections.abc import Callable
 from functools import cache
 from typing import Any
 
 import pytest
+from forging import as_file
 
 from mpsolve import Case, certify
 from mpsolve.certificate import verify2
-from mpsolve.certificate.format import digest
 from mpsolve.spectrum.spectrum import Spectrum
 
 
@@ -26,9 +25,7 @@ def answer(
 
 
 def judged(content: dict[str, Any]) -> verify2.Verdict:
-    signed = {key: value for key, value in content.items() if key != "sha256"}
-    signed["sha256"] = digest(signed)
-    return verify2.verify_bytes(json.dumps(signed).encode("ascii"))
+    return verify2.verify_bytes(as_file(content))
 
 
 @pytest.mark.parametrize(

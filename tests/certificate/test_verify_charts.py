@@ -13,11 +13,11 @@ from typing import Any
 import numpy as np
 import pytest
 from flint import acb, arb, fmpq
+from forging import as_file
 
 from mpsolve import Problem, certify, frequencies, tracks, vehicles
 from mpsolve.certificate import verify_ranges as checker
 from mpsolve.certificate.check import verify
-from mpsolve.certificate.format import digest
 from mpsolve.certificate.verify_ranges import Form, Refused, Regions, verify_bytes
 
 Change = Callable[[dict[str, Any]], None]
@@ -45,12 +45,6 @@ def test_its_numbers_are_those_of_floats() -> None:
         seen = frequencies(PROBLEM, {"v": np.array(x), "track.c": np.array(y)}, roots=False)
         assert (seen.status == "ok").all()
         assert seen.count.tolist() == [counts[int(rows[i][j])] for i, j in cells]
-
-
-def sealed(value: dict[str, Any]) -> bytes:
-    """With the digest that fits."""
-    rest = {key: one for key, one in value.items() if key != "sha256"}
-    return json.dumps(rest | {"sha256": digest(rest)}).encode("ascii")
 
 
 def put(c: dict[str, Any], i: int, j: int, mark: str) -> None:
@@ -183,7 +177,7 @@ def test_a_changed_chart_is_refused(change: Change) -> None:
     changed = copy.deepcopy(CONTENT)
     change(changed)
     assert changed != CONTENT
-    verdict = verify_bytes(sealed(changed), 150)
+    verdict = verify_bytes(as_file(changed), 150)
     assert not verdict.valid
     assert not verdict.reason.startswith("malformed"), verdict.reason
 
@@ -196,7 +190,7 @@ def test_another_number_needs_another_spectrum() -> None:
     found = certify(other, region="unstable")
     assert found.unstable == 0
     changed["base"][1]["spectrum"] = json.loads(found.certificate.text)
-    assert "other equations" in verify_bytes(sealed(changed)).reason
+    assert "other equations" in verify_bytes(as_file(changed)).reason
 
 
 def test_claiming_less_holds() -> None:
@@ -205,7 +199,7 @@ def test_claiming_less_holds() -> None:
     i = next(i for i, row in enumerate(changed["claim"]["cells"]) if ".0" in row)
     put(changed, i, changed["claim"]["cells"][i].index(".0") + 1, ".")
     changed["tree"] = changed["tree"].replace("n", "o", 3)
-    verdict = verify_bytes(sealed(changed))
+    verdict = verify_bytes(as_file(changed))
     assert verdict.valid, verdict.reason
 
 
@@ -308,6 +302,6 @@ def test_boxes_along_a_slope_over_two_parameters_hold_what_numpy_finds() -> None
 
 def test_a_chart_of_two_leaves_beside_is_refused() -> None:
     """Along any slope they hold frequencies in question."""
-    verdict = verify_bytes(sealed(CONTENT | {"tree": "s-1e3;bb"}), 60)
+    verdict = verify_bytes(as_file(CONTENT | {"tree": "s-1e3;bb"}), 60)
     assert not verdict.valid
     assert "beside" in verdict.reason

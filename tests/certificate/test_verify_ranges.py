@@ -15,11 +15,11 @@ from typing import Any, cast
 import numpy as np
 import pytest
 from flint import acb, acb_mat, arb, arb_mat, fmpq
+from forging import as_file, sealed
 
 from mpsolve import Problem, certify, tracks, vehicles
 from mpsolve.certificate import verify_ranges as checker
 from mpsolve.certificate.check import verify
-from mpsolve.certificate.format import digest
 from mpsolve.certificate.verify_ranges import (
     NONE,
     Form,
@@ -43,12 +43,6 @@ Change = Callable[[dict[str, Any]], None]
 @pytest.fixture(scope="module")
 def content() -> dict[str, Any]:
     return dict(json.loads(CROSSING.read_text("ascii")))
-
-
-def sealed(value: dict[str, Any]) -> bytes:
-    """With the digest that fits."""
-    rest = {key: one for key, one in value.items() if key != "sha256"}
-    return json.dumps(rest | {"sha256": digest(rest)}).encode("ascii")
 
 
 @pytest.mark.parametrize("path", [CROSSING, STABLE, SLOPED])
@@ -137,8 +131,7 @@ def _negative_damping(c: dict[str, Any]) -> None:
         for term in where["equations"]["track"]["matrix"][0][0]:
             if term[:2] == [0, 1]:
                 term[2] = "-770"
-    rest = {key: one for key, one in c["base"]["spectrum"].items() if key != "sha256"}
-    c["base"]["spectrum"] = rest | {"sha256": digest(rest)}
+    c["base"]["spectrum"] = sealed(c["base"]["spectrum"])
 
 
 def _other_base(c: dict[str, Any]) -> None:
@@ -190,7 +183,7 @@ def test_a_changed_file_is_refused(content: dict[str, Any], change: Change) -> N
     changed = copy.deepcopy(content)
     change(changed)
     assert changed != content
-    verdict = verify_bytes(sealed(changed), 1500)
+    verdict = verify_bytes(as_file(changed), 1500)
     assert not verdict.valid
     assert not verdict.reason.startswith("malformed"), verdict.reason
 
@@ -224,7 +217,7 @@ def test_a_tree_with_slopes_that_was_changed_is_refused(change: Callable[[str], 
     value = json.loads(SLOPED.read_text("ascii"))
     tree = change(value["tree"])
     assert tree != value["tree"]
-    verdict = verify_bytes(sealed(value | {"tree": tree}), 700)
+    verdict = verify_bytes(as_file(value | {"tree": tree}), 700)
     assert not verdict.valid
     assert not verdict.reason.startswith("malformed"), verdict.reason
 
@@ -264,7 +257,7 @@ def test_a_distance_whose_bound_is_negative_proves_nothing(content: dict[str, An
         "Q": [4, 0], "gamma": [1, 2], "blocks": [[[-9, -10], [9, -10], [1, -40]]], "alpha": 4, "omega": [1, 10],
         "bounds": [[[1, -6], [1, 10]]],
     }  # fmt: skip
-    verdict = checker.verify_bytes(sealed(content))
+    verdict = checker.verify_bytes(as_file(content))
     assert not verdict.valid
     assert "least distance" in verdict.reason
 
@@ -272,13 +265,13 @@ def test_a_distance_whose_bound_is_negative_proves_nothing(content: dict[str, An
 def test_a_direction_is_a_number(content: dict[str, Any]) -> None:
     content = copy.deepcopy(content)
     content["claim"]["directions"] = ["2"]
-    assert not checker.verify_bytes(sealed(content)).valid
+    assert not checker.verify_bytes(as_file(content)).valid
 
 
 def test_a_stable_box_with_another_number_is_refused() -> None:
     value = json.loads(STABLE.read_text("ascii"))
     value["claim"]["unstable"] = 2
-    assert "number at the base" in verify_bytes(sealed(value)).reason
+    assert "number at the base" in verify_bytes(as_file(value)).reason
 
 
 @pytest.mark.parametrize("names", [["v", "v"], ["v from 0 to 1, c", "v"], ["", "v"], ["c", 1], ["c"]])
@@ -286,7 +279,7 @@ def test_what_varies_is_named_once(names: list[Any]) -> None:
     """The claim says "for c from …, v from …": with one name twice, or a sentence as a name, it says another one."""
     value = json.loads(STABLE.read_text("ascii"))
     value["equations"]["free"] = names
-    verdict = verify_bytes(sealed(value))
+    verdict = verify_bytes(as_file(value))
     assert not verdict.valid
     assert any(word in verdict.reason for word in ("name", "range"))
 

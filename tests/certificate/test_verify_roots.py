@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import hashlib
 import json
 import subprocess
 import sys
@@ -12,13 +11,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from forging import Content, as_file, put
 
 from mpsolve import Cut, Disc, HalfPlane, Rectangle, real_roots, roots
 from mpsolve.certificate import verify_roots
 from mpsolve.certificate.check import verify_bytes
 from mpsolve.zeros.function import ExpressionFunction
-
-Content = dict[str, Any]
 
 
 def content_of(answer: Any) -> Content:
@@ -40,14 +38,8 @@ def line() -> Content:
     return content_of(real_roots("(z - 1)**3*sin(z)/(z + 20)", -10, 10))
 
 
-def signed(content: Content) -> bytes:
-    rest = {key: value for key, value in content.items() if key != "sha256"}
-    canonical = json.dumps(rest, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
-    return json.dumps(rest | {"sha256": hashlib.sha256(canonical.encode()).hexdigest()}).encode()
-
-
 def verdict(content: Content) -> verify_roots.Verdict:
-    return verify_roots.verify_bytes(signed(content))
+    return verify_roots.verify_bytes(as_file(content))
 
 
 def test_what_is_proved_is_said(plain: Content, slit: Content, line: Content) -> None:
@@ -55,7 +47,7 @@ def test_what_is_proved_is_said(plain: Content, slit: Content, line: Content) ->
     assert "sin(z)" in verdict(plain).claim
     assert "without the branch cuts from 0 + 0i along -1 + 0i" in verdict(slit).claim
     assert "exactly 8 real zeros" in verdict(line).claim
-    assert verify_bytes(signed(plain)).valid
+    assert verify_bytes(as_file(plain)).valid
 
 
 def test_every_kind_of_region_is_accepted() -> None:
@@ -65,8 +57,8 @@ def test_every_kind_of_region_is_accepted() -> None:
 
 def test_it_runs_as_a_script(tmp_path: Path, plain: Content) -> None:
     good, bad = tmp_path / "good.json", tmp_path / "bad.json"
-    good.write_bytes(signed(plain))
-    bad.write_bytes(signed(plain).replace(b"sha256", b"sha257"))
+    good.write_bytes(as_file(plain))
+    bad.write_bytes(as_file(plain).replace(b"sha256", b"sha257"))
     for file, code in ((good, 0), (bad, 1)):
         done = subprocess.run(
             [sys.executable, verify_roots.__file__, str(file)], capture_output=True, text=True, check=False
@@ -78,16 +70,6 @@ def changed(content: Content, change: Callable[[Content], Any]) -> Content:
     copied = copy.deepcopy(content)
     change(copied)
     return copied
-
-
-def _put(*path: Any, value: Any) -> Callable[[Content], None]:
-    def change(content: Content) -> None:
-        place: Any = content
-        for key in path[:-1]:
-            place = place[key]
-        place[path[-1]] = value
-
-    return change
 
 
 CHANGES: dict[str, Callable[[Content], Any]] = {
@@ -210,17 +192,17 @@ def test_hostile_files_are_refused(raw: bytes) -> None:
 @pytest.mark.parametrize(
     "change",
     [
-        _put("function", "steps", 1, value=["number", "1/0"]),
-        _put("function", "steps", 1, value=["number", "9" * 5000]),
-        _put("function", "steps", 1, value=["pow", 0, 10**9]),
-        _put("function", "steps", 1, value=["__class__", 0]),
-        _put("function", "numerator", value=10**9),
-        _put("roots", 0, "exponent", value=-(10**9)),
-        _put("roots", 0, "radius", value=[1, -(10**9)]),
-        _put("bits", value=10**9),
-        _put("breaks", 0, value={"exponent": 10**9, "places": [0, 1]}),
-        _put("counted", value=[["0", "0"]] * 1000),
-        _put("roots", value=[{}] * 100_000),
+        put("function", "steps", 1, ["number", "1/0"]),
+        put("function", "steps", 1, ["number", "9" * 5000]),
+        put("function", "steps", 1, ["pow", 0, 10**9]),
+        put("function", "steps", 1, ["__class__", 0]),
+        put("function", "numerator", 10**9),
+        put("roots", 0, "exponent", -(10**9)),
+        put("roots", 0, "radius", [1, -(10**9)]),
+        put("bits", 10**9),
+        put("breaks", 0, {"exponent": 10**9, "places": [0, 1]}),
+        put("counted", [["0", "0"]] * 1000),
+        put("roots", [{}] * 100_000),
     ],
 )
 def test_hostile_numbers_are_refused_quickly(plain: Content, change: Callable[[Content], Any]) -> None:

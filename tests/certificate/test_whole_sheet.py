@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import copy
-import json
 from collections.abc import Callable
 from functools import cache
 from typing import Any
 
 import numpy as np
 import pytest
+from forging import as_file
 
 from mpsolve import Effort, InputError, Problem, Status, certify, tracks, vehicles
 from mpsolve.certificate import verify2
-from mpsolve.certificate.format import digest
 from mpsolve.certificate.solve import certify_problem
 from mpsolve.numbers.rootball import Symmetry
 from mpsolve.spectrum.regions import HalfPlane, Rectangle, Sheet
@@ -29,9 +28,7 @@ def answer(v: str = "0.67", c: str = "0.1", masses: int = 2, M: object = 70) -> 
 
 
 def judged(content: dict[str, Any]) -> verify2.Verdict:
-    signed = {key: value for key, value in content.items() if key != "sha256"}
-    signed["sha256"] = digest(signed)
-    return verify2.verify_bytes(json.dumps(signed).encode("ascii"))
+    return verify2.verify_bytes(as_file(content))
 
 
 @pytest.mark.parametrize(("v", "masses", "count", "unstable"), [("0.67", 2, 4, 2), ("1.2", 1, 4, 2), ("0", 2, 4, 0)])

@@ -3,39 +3,19 @@
 from __future__ import annotations
 
 import copy
-import hashlib
-import json
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import pytest
 from flint import acb
+from forging import Content, as_file, put, stored
 
 from mpsolve.certificate import verify_roots as vr
 from mpsolve.certificate.verify2 import Refused
 
-RAW = (Path(__file__).parents[2] / "certs" / "roots" / "tangent.json").read_bytes()
-Content = dict[str, Any]
-
 
 def reason(content: Content) -> str:
-    rest = {key: value for key, value in content.items() if key != "sha256"}
-    canonical = json.dumps(rest, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
-    signed = rest | {"sha256": hashlib.sha256(canonical.encode()).hexdigest()}
-    return vr.verify_bytes(json.dumps(signed).encode()).reason
-
-
-def _put(*path: Any) -> Callable[[Content], None]:
-    *where, last, value = path
-
-    def change(content: Content) -> None:
-        place: Any = content
-        for key in where:
-            place = place[key]
-        place[last] = value
-
-    return change
+    return vr.verify_bytes(as_file(content)).reason
 
 
 Z = ["z"]
@@ -58,9 +38,9 @@ def _bracket(*ends: str) -> Callable[[Content], None]:
 
 
 INTERVALS: dict[str, tuple[Callable[[Content], Any], str]] = {
-    "turned": (_put("interval", ["20", "1"]), "interval is empty"),
-    "longer": (_put("interval", ["1", "21"]), "do not cover"),
-    "earlier": (_put("interval", ["0", "20"]), "do not cover"),
+    "turned": (put("interval", ["20", "1"]), "interval is empty"),
+    "longer": (put("interval", ["1", "21"]), "do not cover"),
+    "earlier": (put("interval", ["0", "20"]), "do not cover"),
     "no text": (_tiles(kinds=["."]), "do not fit"),
     "a kind less": (_marked(".", ""), "do not fit"),
     "another kind": (_marked(".", "2"), "kind of a tile is not known"),
@@ -69,8 +49,8 @@ INTERVALS: dict[str, tuple[Callable[[Content], Any], str]] = {
     "a bracket beyond its tile": (_bracket("4", "20"), "not in its tile"),
     "a bracket turned": (_bracket("9/2", "89/20"), "not in its tile"),
     "a bracket without a zero": (_bracket("4", "81/20"), "not proved to hold a zero"),
-    "fewer": (_put("claim", "zeros", 4), "claimed number"),
-    "more at once": (_put("claim", "multiplicities", [2, 1, 1, 1, 1]), "claimed multiplicities"),
+    "fewer": (put("claim", "zeros", 4), "claimed number"),
+    "more at once": (put("claim", "multiplicities", [2, 1, 1, 1, 1]), "claimed multiplicities"),
     "over what vanishes": (lambda c: c["function"].update(denominator=c["function"]["numerator"]), "denominator"),
 }
 
@@ -78,7 +58,7 @@ INTERVALS: dict[str, tuple[Callable[[Content], Any], str]] = {
 @pytest.mark.parametrize("name", INTERVALS)
 def test_an_interval_is_refused(name: str) -> None:
     change, why = INTERVALS[name]
-    content = json.loads(RAW)
+    content = stored("roots/tangent")
     assert reason(content) == ""
     change(content)
     assert why in reason(content)
@@ -112,7 +92,7 @@ def test_zeros_of_two_factors_are_told_apart() -> None:
     """Of z and z − 2⁻⁷⁰, in brackets that hold both, or one each."""
     steps = [Z, ["number", f"1/{2**70}"], ["sub", 0, 1], ["mul", 0, 2]]
     tile = {"bits": 64, "places": ["-1", "1"], "kinds": "1", "sharp": 128}
-    content = json.loads(RAW) | {
+    content = stored("roots/tangent") | {
         "function": {"steps": steps, "numerator": 3, "denominator": None},
         "interval": ["-1", "1"],
         "tiles": [tile | {"brackets": [["0", "0"]]}, tile | {"brackets": [[steps[1][1]] * 2]}],

@@ -2,33 +2,19 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
 from collections.abc import Callable
-from functools import cache
-from pathlib import Path
 from typing import Any
 
 import pytest
 from flint import fmpq
+from forging import Content, as_file, put, stored
 
 from mpsolve.certificate import verify_roots as vr
 from mpsolve.certificate.verify2 import Refused
 
-ROOTS = Path(__file__).parents[2] / "certs" / "roots"
-Content = dict[str, Any]
-
-
-@cache
-def raw(name: str) -> bytes:
-    return (ROOTS / f"{name}.json").read_bytes()
-
 
 def reason(content: Content) -> str:
-    rest = {key: value for key, value in content.items() if key != "sha256"}
-    canonical = json.dumps(rest, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
-    signed = rest | {"sha256": hashlib.sha256(canonical.encode()).hexdigest()}
-    return vr.verify_bytes(json.dumps(signed).encode()).reason
+    return vr.verify_bytes(as_file(content)).reason
 
 
 # --- the function ---------------------------------------------------------------------------------------------
@@ -84,25 +70,13 @@ def function(*steps: Any) -> vr.Function:
 # --- regions --------------------------------------------------------------------------------------------------
 
 
-def _put(*path: Any) -> Callable[[Content], None]:
-    *where, last, value = path
-
-    def change(content: Content) -> None:
-        place: Any = content
-        for key in where:
-            place = place[key]
-        place[last] = value
-
-    return change
-
-
 def _first_break(places: Callable[[list[int]], list[int]]) -> Callable[[Content], None]:
     return lambda c: c["breaks"][0].update(places=places(c["breaks"][0]["places"]))
 
 
 def _a_disc(radius: str) -> Callable[[Content], None]:
     """About 0, through the zero at 0.39 or so, or with all but those of largest modulus."""
-    return _put("region", {"kind": "disc", "centre": ["0", "0"], "radius": radius})
+    return put("region", {"kind": "disc", "centre": ["0", "0"], "radius": radius})
 
 
 def _disc_outside(content: Content) -> None:
@@ -111,24 +85,24 @@ def _disc_outside(content: Content) -> None:
 
 ENDS = "gone from end to end"
 REGIONS: dict[str, tuple[str, Callable[[Content], Any], str]] = {
-    "boxes of an entire function": ("sine", _put("trees", ["."]), "needs no boxes"),
-    "no text": ("slanting_cut", _put("trees", 0, ["."]), "no text"),
-    "another mark": ("slanting_cut", _put("trees", 0, "x"), "does not fit its cell"),
-    "more than its cell": ("slanting_cut", _put("trees", 0, ".."), "does not fit its cell"),
-    "less than its cell": ("slanting_cut", _put("trees", 0, "|."), "before its cell is covered"),
-    "no box": ("slanting_cut", _put("trees", 0, ""), "before its cell is covered"),
-    "left out": ("slanting_cut", _put("trees", 0, "o"), "not outside the region"),
+    "boxes of an entire function": ("sine", put("trees", ["."]), "needs no boxes"),
+    "no text": ("slanting_cut", put("trees", 0, ["."]), "no text"),
+    "another mark": ("slanting_cut", put("trees", 0, "x"), "does not fit its cell"),
+    "more than its cell": ("slanting_cut", put("trees", 0, ".."), "does not fit its cell"),
+    "less than its cell": ("slanting_cut", put("trees", 0, "|."), "before its cell is covered"),
+    "no box": ("slanting_cut", put("trees", 0, ""), "before its cell is covered"),
+    "left out": ("slanting_cut", put("trees", 0, "o"), "not outside the region"),
     "one cell less": ("slanting_cut", lambda c: c["trees"].pop(), "in place of 4"),
     "from later on": ("sine", _first_break(lambda m: m[1:]), ENDS),
     "to the last but one": ("sine", _first_break(lambda m: m[:-1]), ENDS),
-    "nowhere": ("sine", _put("breaks", 0, {"exponent": 0, "places": [0]}), ENDS),
-    "no place": ("sine", _put("breaks", 0, {"exponent": 0, "places": []}), ENDS),
+    "nowhere": ("sine", put("breaks", 0, {"exponent": 0, "places": [0]}), ENDS),
+    "no place": ("sine", put("breaks", 0, {"exponent": 0, "places": []}), ENDS),
     "back and forth": ("sine", _first_break(lambda m: [*m[:3], *m[1:]]), "not in order"),
     "a place twice": ("sine", _first_break(lambda m: [m[0], *m]), "not in order"),
-    "a pole for a zero": ("sine", _put("function", {"steps": [["z"]], "numerator": 0, "denominator": 0}), ""),
+    "a pole for a zero": ("sine", put("function", {"steps": [["z"]], "numerator": 0, "denominator": 0}), ""),
     "a disc far outside": ("sine", _disc_outside, "not inside the polygon"),
     "a disc across the circle": ("sine", _a_disc("0"), "the disc is empty"),
-    "fewer than are inside": ("sine", _put("claim", {"count": 6}), "the claimed count"),
+    "fewer than are inside": ("sine", put("claim", {"count": 6}), "the claimed count"),
     "another circle": ("sine", _a_disc("4"), "the claimed count"),
 }
 
@@ -136,7 +110,7 @@ REGIONS: dict[str, tuple[str, Callable[[Content], Any], str]] = {
 @pytest.mark.parametrize("name", REGIONS)
 def test_a_region_is_refused(name: str) -> None:
     file, change, why = REGIONS[name]
-    content = json.loads(raw(file))
+    content = stored(f"roots/{file}")
     assert reason(content) == ""
     change(content)
     said = reason(content)
@@ -146,7 +120,7 @@ def test_a_region_is_refused(name: str) -> None:
 
 def test_a_zero_on_the_circle_of_a_region_is_refused() -> None:
     """One of sin z = z/2 is 1.8954942670339809: its disc has that on its left, or in it, or on its right."""
-    content = json.loads(raw("sine"))
+    content = stored("roots/sine")
     one = max(
         content["roots"], key=lambda r: int(r["re"], 16) * (abs(int(r["im"], 16)) * 2.0 ** r["exponent"] < 1e-9)
     )
@@ -181,9 +155,9 @@ def test_the_pieces_of_a_path_are_bounded(monkeypatch: pytest.MonkeyPatch, name:
 
 def test_boxes_digits_and_tiles_are_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(vr, "MAX_WORK", 80)
-    content = json.loads(raw("slanting_cut"))
+    content = stored("roots/slanting_cut")
     assert "too many boxes" in reason(content | {"trees": ["." * 100, ".", ".", "."]})
     root = vr.read_root({"re": "0x0", "im": "0x0", "exponent": 0, "radius": [1, -200], "multiplicity": 1})
     with pytest.raises(Refused, match="too many digits"):
         vr.check_root(function(Z), None, root)
-    assert "too many tiles" in reason(json.loads(raw("tangent")))
+    assert "too many tiles" in reason(stored("roots/tangent"))

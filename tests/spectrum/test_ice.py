@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
+from forging import as_file
 from oracle_general.package import as_problem
 
 from mpsolve import Problem, Status, certify, tracks, vehicles
@@ -49,14 +50,6 @@ def test_a_piece_that_ends_at_zero_must_be_short_enough() -> None:
     far_link = link | {"points": [link["points"][0], link["points"][-1]]}
     far_turn = turn | {"points": [turn["points"][0], *turn["points"][len(turn["points"]) // 2 :]]}
     for paths in ([far_link, turn, *rest], [link, far_turn, *rest]):
-        verdict = verify_bytes(sealed(content | {"paths": paths}))
+        verdict = verify_bytes(as_file(content | {"paths": paths}))
         assert not verdict.valid
         assert "p-roots are not told apart" in verdict.reason
-
-
-def sealed(content: dict[str, object]) -> bytes:
-    from hashlib import sha256
-
-    rest = {key: value for key, value in content.items() if key != "sha256"}
-    text = json.dumps(rest, sort_keys=True, separators=(",", ":"))
-    return json.dumps(rest | {"sha256": sha256(text.encode()).hexdigest()}).encode()

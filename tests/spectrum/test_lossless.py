@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import copy
-import json
 from typing import Any
 
 import numpy as np
 import pytest
+from forging import as_file
 
 from mpsolve import Case, Problem, Status, certify, tracks, vehicles
 from mpsolve.certificate import verify2
-from mpsolve.certificate.format import digest
 from mpsolve.problem.line import on_line
 from mpsolve.problem.reduced import reduce_problem
 from mpsolve.spectrum.lossless import PASSIVE, none_unstable, passive_everywhere
@@ -72,8 +71,7 @@ def test_faster_the_roots_of_both_halves_are_mirrors(alpha: str) -> None:
 
 
 def forged(content: dict[str, Any]) -> verify2.Verdict:
-    content = {key: value for key, value in content.items() if key != "sha256"}
-    return verify2.verify_bytes(json.dumps(content | {"sha256": digest(content)}).encode())
+    return verify2.verify_bytes(as_file(content))
 
 
 def test_the_verifier_takes_it_for_no_other_problem() -> None:
