@@ -7,13 +7,12 @@ import itertools
 import json
 from collections.abc import Callable
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from flint import acb, arb, fmpq
-from forging import as_file
+from forging import CERTS, as_file
 
 from mpsolve import Problem, certify, frequencies, tracks, vehicles
 from mpsolve.certificate import verify_ranges as checker
@@ -21,7 +20,7 @@ from mpsolve.certificate.check import verify
 from mpsolve.certificate.verify_ranges import Form, Refused, Regions, verify_bytes
 
 Change = Callable[[dict[str, Any]], None]
-FILE = Path(__file__).resolve().parents[2] / "certs" / "ranges" / "chart_over_damping.json"
+FILE = CERTS / "ranges" / "chart_over_damping.json"
 CONTENT: dict[str, Any] = json.loads(FILE.read_text("ascii"))
 """One mass over velocity and damping: region 0 without, region 1 with two roots that grow, 16 by 16 cells."""
 PROBLEM = Problem(tracks.EulerBernoulli(EI="1/4", m=1, k=1, c="0.4"), vehicles.Mass(10), v="1.3")
