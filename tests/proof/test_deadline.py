@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import gc
 import signal
+import sys
 import threading
+from collections.abc import Callable
 from time import process_time
 
 import flint
@@ -63,6 +66,54 @@ def test_what_follows_an_inner_deadline_ends_with_the_outer_one() -> None:
     with pytest.raises(TimeUpError), deadline(0.3):
         twice()
     assert 0.25 < process_time() - start < 0.6
+
+
+class _Slow:
+    def __del__(self) -> None:
+        _busy(0.2)
+
+
+def _dropped_by_a_finalizer() -> None:
+    for _ in range(2):
+        _Slow()
+
+
+def _dropped_by_a_collection() -> None:
+    def collected(phase: str, _info: dict[str, int]) -> None:
+        if phase == "start":
+            _busy(0.2)
+
+    gc.callbacks.append(collected)
+    try:
+        gc.collect()
+    finally:
+        gc.callbacks.remove(collected)
+
+
+@pytest.mark.parametrize("drop", [_dropped_by_a_finalizer, _dropped_by_a_collection])
+def test_an_end_that_python_drops_comes_again(drop: Callable[[], None]) -> None:
+    hook, start = sys.unraisablehook, process_time()
+
+    def work() -> None:
+        drop()
+        _busy(3.0)
+
+    with pytest.raises(TimeUpError), deadline(0.1):
+        work()
+    assert process_time() - start < 1.0
+    assert sys.unraisablehook is hook
+
+
+def test_what_else_python_drops_is_told_as_before(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Wrong:
+        def __del__(self) -> None:
+            raise ValueError
+
+    told: list[type[BaseException]] = []
+    monkeypatch.setattr("sys.unraisablehook", lambda what: told.append(what.exc_type))
+    with deadline(0.2):
+        Wrong()
+    assert told == [ValueError]
 
 
 def test_another_thread_runs_to_its_end() -> None:
