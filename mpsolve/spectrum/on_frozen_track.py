@@ -1,7 +1,8 @@
 """Where a vehicle vibrates on springs and dampers that stand for the track, in floats: nothing is proved.
 
 At one frequency the track is the complex matrix G. The vehicle on it has the eigenvalues of a quadratic pencil; those
-near that frequency are near roots of Δ̂. That finds bodies on soft springs far below the waves of a track, too.
+near that frequency are near roots of Δ̂. That finds bodies on soft springs far below the waves of a track, too. On a
+track that does not move at all the vehicle shows how far out its own vibrations are.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import numpy as np
 
 from mpsolve.characteristic.floats import Floats
 from mpsolve.numbers.arrays import Complexes
+from mpsolve.problem.reduced import Reduced
 
 _LEAST, _RATIO = 1e-18, 1.7  # of the size: from where on frequencies are looked at, and one over the one before
 _SMALL, _SHARE = 40, 1e-5  # bodies: of more, only from this part of the size on
@@ -39,6 +41,20 @@ def on_frozen_track(function: Floats, size: float) -> Complexes:
         found = -1j / np.linalg.eigvals(both)  # of the pencil turned round, so that masses may be 0
     near = found[(np.abs(found) < q[:, None] * _RATIO) & (np.abs(found) > q[:, None] / _RATIO)]
     return np.asarray(np.abs(near.real) + 1j * near.imag, complex)
+
+
+def on_rigid_rail(reduced: Reduced) -> Complexes:
+    """The vehicle's own σ̂ where springs of contacts stand on a rail that stands still; tight contacts are free."""
+    (K, C, M), B = (_floats(rows) for rows in reduced.S), _floats(reduced.B)
+    soft = [j for j, h in enumerate(reduced.h) if h]
+    K = K + (B[:, soft] / np.array([float(reduced.h[j]) for j in soft])) @ B[:, soft].T
+    n = len(M)
+    try:
+        inverse = np.linalg.pinv(M)
+        found = np.linalg.eigvals(np.vstack([np.eye(n, 2 * n, n), np.hstack([-inverse @ K, -inverse @ C])]))
+    except np.linalg.LinAlgError:
+        return np.zeros(0, complex)
+    return found.astype(complex)
 
 
 def _floats(rows: Any) -> Any:

@@ -10,7 +10,7 @@ from mpsolve import Problem, tracks, vehicles
 from mpsolve.characteristic.floats import Floats
 from mpsolve.presets.written import problem_of
 from mpsolve.problem.reduced import reduce_problem
-from mpsolve.spectrum.on_frozen_track import on_frozen_track
+from mpsolve.spectrum.on_frozen_track import on_frozen_track, on_rigid_rail
 
 STIFF = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e12", c="1e3")
 
@@ -49,3 +49,13 @@ def test_every_vibration_of_a_coach_has_a_start_near_it() -> None:
 def test_a_vehicle_that_nothing_holds_gives_no_start() -> None:
     q, _ = found(Problem(STIFF, vehicles.Mass("1e-3"), v=10), 1.0)
     assert q.shape == (0,)
+
+
+def test_on_a_rigid_rail_contact_springs_hold_and_tight_contacts_are_free() -> None:
+    """A mass on its contact spring: √(k/M). A wheel and a body on a spring between them: √(k (1/m + 1/M)), and 0."""
+    sprung = vehicles.Oscillator(wheel="1e-6", body=100, k="1e9", k_contact="400")
+    free = vehicles.Oscillator(wheel=8, body=15, k=150, c=1)
+    for vehicle, truth in ((sprung, 2.0), (free, sqrt(150 * (1 / 8 + 1 / 15) - (1 / 8 + 1 / 15) ** 2 / 4))):
+        reduced = reduce_problem(Problem(STIFF, vehicle, v=10))
+        own = on_rigid_rail(reduced).imag * float(reduced.frequency_unit)
+        assert np.abs(own - truth).min() < 1e-4 * truth
