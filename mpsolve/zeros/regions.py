@@ -55,6 +55,7 @@ class Rectangle:
 
     @property
     def has_units(self) -> bool:
+        """Whether a bound was given with a unit."""
         return any(isinstance(bound, Measured) for bound in self.bounds)
 
     @property
