@@ -1130,16 +1130,17 @@ def contraction(w: Sequence[Any], inverse: Any, tiny: Any) -> tuple[list[Any], l
     β is found by iteration; what counts is the last inequality. The wider of two joins more neighbours.
     """
 
-    def image(beta: list[Any]) -> list[Any]:
+    def image(beta: list[Any]) -> tuple[list[Any], bool]:
         s = (inverse * arb_mat(len(w), 1, beta)).entries() if w else []
-        return [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)] if all(y < 0.5 for y in s) else [arb("inf")]
+        tau = [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)] if all(y < 1 for y in s) else [arb("inf")]
+        return tau, all(y < 0.5 for y in s) and all(map(lt, tau, beta))
 
     beta = [(x * 1.2 + tiny).upper() for x in w]
     for _ in range(10):
-        tau = image(beta)
-        if all(map(lt, tau, beta)):
+        tau, holds = image(beta)
+        if holds:
             wide = [(x * 2).upper() for x in beta]
-            return (wide if all(map(lt, image(wide), wide)) else beta), tau
+            return (wide if image(wide)[1] else beta), tau
         if not tau[0].is_finite():
             return None
         beta = [(x * 1.15 + tiny).upper() for x in tau]
@@ -1928,18 +1929,20 @@ def hermitian(F: Form, index: Sequence[Sequence[int]], turns: Sequence[Any]) -> 
 def definite(H: Sequence[Any], E: Any) -> bool:
     """Whether H_0 + Σ ε_k H_k + R > 0 is proved for all |ε_k| ≤ 1 and all Hermitian |R| ≤ E entry by entry.
 
-    R ≥ −diag(row sums of E) (Gershgorin); the (ε_k) at which the rest is > 0 are a convex set: corners are enough.
+    R ≥ −diag((E x)_i/x_i) for any x > 0 (Gershgorin); the (ε_k) at which the rest is > 0 are a convex set: corners
+    are enough. x: where H_0 is small, as it is for close contacts, little may be lost.
     """
     n, (first, *others) = E.nrows(), H
     for a in others[CORNERS:]:
         E = E + moduli(a)
-    lost = (E * arb_mat(n, 1, [1] * n)).entries()
-    least = first - acb_mat([[lost[i] if i == j else 0 for j in range(n)] for i in range(n)])
-    ends = [least]
-    for a in others[:CORNERS]:
-        ends = [x for end in ends for x in (end + a, end - a)]
     try:
-        return all(x.real > 0 for end in ends for x in pivots(end))
+        inverse = near_inverse(first)
+        x = [max(float(inverse[i, i].real), 1e-99) ** 0.5 for i in range(n)]
+        lost = (E * arb_mat(n, 1, x)).entries()
+        ends = [first - acb_mat([[lost[i] / x[i] if i == j else 0 for j in range(n)] for i in range(n)])]
+        for a in others[:CORNERS]:
+            ends = [y for end in ends for y in (end + a, end - a)]
+        return all(y.real > 0 for end in ends for y in pivots(end))
     except Refused:
         return False
 
