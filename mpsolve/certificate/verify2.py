@@ -1929,22 +1929,25 @@ def hermitian(F: Form, index: Sequence[Sequence[int]], turns: Sequence[Any]) -> 
 def definite(H: Sequence[Any], E: Any) -> bool:
     """Whether H_0 + Σ ε_k H_k + R > 0 is proved for all |ε_k| ≤ 1 and all Hermitian |R| ≤ E entry by entry.
 
-    R ≥ −diag((E x)_i/x_i) for any x > 0 (Gershgorin); the (ε_k) at which the rest is > 0 are a convex set: corners
-    are enough. x: where H_0 is small, as it is for close contacts, little may be lost.
+    The (ε_k) at which it is > 0 with one R are a convex set: corners C are enough. C > 0 by its pivots, and C + sR is
+    regular for 0 ≤ s ≤ 1: so it stays > 0.
     """
-    n, (first, *others) = E.nrows(), H
+    first, *others = H
     for a in others[CORNERS:]:
         E = E + moduli(a)
+    ends = [first]
+    for a in others[:CORNERS]:
+        ends = [y for end in ends for y in (end + a, end - a)]
     try:
-        inverse = near_inverse(first)
-        x = [max(float(inverse[i, i].real), 1e-99) ** 0.5 for i in range(n)]
-        lost = (E * arb_mat(n, 1, x)).entries()
-        ends = [first - acb_mat([[lost[i] / x[i] if i == j else 0 for j in range(n)] for i in range(n)])]
-        for a in others[:CORNERS]:
-            ends = [y for end in ends for y in (end + a, end - a)]
-        return all(y.real > 0 for end in ends for y in pivots(end))
+        return all(all(y.real > 0 for y in pivots(C)) and stays_regular(C, E) for C in ends)
     except Refused:
         return False
+
+
+def stays_regular(A: Any, E: Any) -> bool:
+    """Whether A + R is regular for all |R| ≤ E entry by entry: |X(A + R) − 1| contracts, X near 1/A."""
+    X = near_inverse(A)
+    return contracting(moduli(X * A - identity(A.nrows())) + moduli(X) * E)
 
 
 @dataclass(repr=False, eq=False)
