@@ -29,7 +29,7 @@ from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.ranges.answer import Interval, Proof
 from mpsolve.ranges.base import base_at, uncounted
-from mpsolve.ranges.crossingcurve import CrossingCurve
+from mpsolve.ranges.curves import CrossingCurve
 from mpsolve.ranges.first_seen import each_seen
 from mpsolve.ranges.glance import count_seen
 from mpsolve.ranges.ridge import HALF, Ridge, alone, ridge

@@ -33,7 +33,7 @@ from mpsolve.proof.vanishing import in_plane, one_at_most, scalar
 from mpsolve.ranges.answer import Interval
 from mpsolve.ranges.asked import Asked, AskedJudge
 from mpsolve.ranges.base import base_at
-from mpsolve.ranges.crossingcurve import Fixed
+from mpsolve.ranges.curves import Fixed
 from mpsolve.ranges.enclosed import Crossing, enclose
 from mpsolve.ranges.first_seen import each_seen
 from mpsolve.ranges.scope import Scope, from_above_rest, scope_of

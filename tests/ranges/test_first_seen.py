@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import signal
 from fractions import Fraction
+from pathlib import Path
+from time import process_time
 from typing import Any
 
+import numpy as np
 import pytest
 
-from mpsolve import Case
+from mpsolve import Case, Effort, Status, frequencies, onset, read_problem
+from mpsolve.presets.written import input_file
 from mpsolve.problem.cases import as_problem
 from mpsolve.problem.family import family_of
-from mpsolve.ranges.first_seen import first_seen
+from mpsolve.ranges.first_seen import BEYOND, Shorter, first_seen, up_to_first
+from mpsolve.ranges.onset import Kind
 
 
 @pytest.mark.parametrize(
@@ -31,3 +37,68 @@ def test_the_least_value(masses: Any, places: Any, q: float, v: float) -> None:
 def test_nothing_where_nothing_crosses() -> None:
     problem = as_problem(Case(alpha="0.5", eta_b="0.05", eta_m=70))
     assert first_seen(family_of(problem, {"v": (Fraction(0), Fraction("0.9"))})) is None
+
+
+CASE = Case(alpha="0.5", eta_b="0.0001", eta_m=(70, 70), positions=(0, "1.5"))
+PROBLEM = as_problem(CASE)
+
+
+def test_up_to_a_little_beyond_the_first() -> None:
+    found = up_to_first(PROBLEM, {"v": (Fraction(0), Fraction(2))})
+    assert found is not None
+    low, high = found.over["v"]
+    assert low == 0
+    assert 0.6703394654 < high < 0.6703394654 * (1 + 1 / 32)
+    assert found.near[1] == pytest.approx(0.670339465413233, rel=1e-6)
+
+
+@pytest.mark.parametrize("high", [None, Fraction("0.6")])
+def test_where_there_is_nothing_to_try(high: Any) -> None:
+    assert up_to_first(PROBLEM, {"v": (Fraction(0), high)}) is None
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="there is no such timer here")
+def test_all_of_the_effort_is_for_it_and_its_verifier(monkeypatch: pytest.MonkeyPatch) -> None:
+    def slow(*_: object) -> None:
+        while True:
+            pass
+
+    monkeypatch.setattr("mpsolve.certificate.verify_ranges.verify_bytes", slow)
+    started = process_time()
+    answer = onset(CASE, over={"alpha": (0, 1)}, effort=Effort(seconds=1.5))
+    assert (answer.proved, answer.status, answer.kind) == (True, Status.UNVERIFIED, Kind.CROSSES)
+    assert "the effort of 1.5 s of processor time was spent before the verifier was through" in answer.note
+    assert 1.2 < process_time() - started < 3
+
+
+def test_an_onset_of_hardly_any_damping() -> None:
+    """Faster than its waves the beam is open after any number of boxes, which the onset does not ask."""
+    answer = onset(CASE, over={"alpha": (0, 2)}, check=False)
+    assert (answer.proved, answer.kind) == (True, Kind.CROSSES), answer.reason
+    assert float(answer.value) == pytest.approx(0.670339465413233, rel=1e-14)
+    assert BEYOND in answer.note
+    assert answer.over["alpha"][1] == 2
+
+
+@pytest.mark.parametrize(
+    ("end", "near"),
+    [("0.5", (0.1562, 0.45)), ("0.9", (0.3, 0.8)), ("0.9", (0.1562077, 0.66691895))],
+    ids=["nothing crosses up to there", "a crossing that there is not", "right"],
+)
+def test_what_floats_see_decides_nothing(end: str, near: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    case = Case(alpha="0.5", eta_b="0.05", eta_m=(70, 70), positions=(0, "1.5"))
+    false = Shorter({"v": (Fraction("0.01"), Fraction(end))}, near)
+    monkeypatch.setattr("mpsolve.ranges.onset.up_to_first", lambda *_: false)
+    answer = onset(case, over={"v": ("0.01", "0.95")}, check=False)
+    assert answer.kind is Kind.CROSSES
+    assert float(answer.value) == pytest.approx(0.66691895728454, rel=1e-12)
+
+
+def test_bogies_far_apart_have_crossings_close_together(tmp_path: Path) -> None:
+    """The first two of a coach differ by 7e-5, in a range ten thousand times as wide; floats count beside them."""
+    (tmp_path / "coach.toml").write_text(input_file("ballasted"), "utf-8")
+    problem = read_problem(tmp_path / "coach.toml").problem
+    found = onset(problem, over={"v": (140, 1600)}, check=False)
+    assert found.kind is Kind.CROSSES, found.reason
+    assert found.lower == pytest.approx(683.653465209185, rel=1e-14)
+    assert frequencies(problem, over={"v": np.array([600, 683.65, 683.66, 683.71])}).count.tolist() == [0, 0, 2, 4]

@@ -11,7 +11,7 @@ import pytest
 from mpsolve import Problem, Status, crossings, onset, tracks, unstable_ranges, vehicles
 from mpsolve.numbers.balls import arb
 from mpsolve.ranges.crossed import Crossings
-from mpsolve.ranges.first import BEYOND
+from mpsolve.ranges.first_seen import BEYOND
 from mpsolve.ranges.onset import Kind, Onset, _read
 from mpsolve.ranges.unstable import shared
 from mpsolve.report.ranges_asked import asked
