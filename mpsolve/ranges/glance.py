@@ -37,10 +37,7 @@ def count_seen(reduced: Reduced, X: float) -> int | None:
             q = np.insert(q, at, between)
         else:
             return None
-    places = list(reduced.places)
-    G, _ = function.receptance(np.array([1j * X]), sorted({a - b for a in places for b in places}), False)
-    found = dict(zip(sorted({a - b for a in places for b in places}), G, strict=True))
-    middle = np.array([[complex(found[a - b][0]) for b in places] for a in places])
+    middle = function.receptance.between(np.array([1j * X]), reduced.places)[0]
     try:
         with precision(64):
             closing = float(closing_argument(reduced, X, middle, np.zeros(middle.shape)))
