@@ -1,8 +1,8 @@
-"""Where the first crossing of a range seems to lie, in floats: heuristic, proofs start from it and do not rest on it.
+"""What floats see of a range, a first crossing, roots that grow or lie lowest: proofs start there, none rests on it.
 
-From points of a grid of (q̂, x̂) Newton's method is tried, all points side by side; what stays near its point is kept.
-A second parameter may have given values. An onset asks for a range up to itself only: as far as floats see the first
-crossing, and a little beyond.
+A first crossing: from points of a grid of (q̂, x̂) Newton's method is tried, all points side by side; what stays near
+its point is kept. A second parameter may have given values. An onset asks for a range up to itself only: as far as
+floats see the first crossing, and a little beyond.
 """
 
 from __future__ import annotations
@@ -10,21 +10,29 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import product
 from typing import Any
 
 import numpy as np
+from flint import arb
 
 from mpsolve.characteristic.boxes import Boxes
+from mpsolve.characteristic.floats import Floats
 from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.errors import InputError, PrecisionError
-from mpsolve.numbers.arrays import Reals
+from mpsolve.numbers.arrays import Complexes, Reals
+from mpsolve.numbers.balls import precision
+from mpsolve.numbers.float64 import refined
 from mpsolve.numbers.realroots import short_between
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.family import Family, family_of
 from mpsolve.problem.problem import Problem
+from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.vanishing import guess, in_plane, scalar
 from mpsolve.ranges.answer import Interval
 from mpsolve.ranges.scope import from_above_rest, one_path
+from mpsolve.spectrum.candidates import Area, search
+from mpsolve.spectrum.closing import closing_argument
 
 _Q = 2.0**-6, 2.0**3  # between them lie cells of q̂
 _CELLS, _X = 18, 12  # of q̂ and of x̂
@@ -139,3 +147,91 @@ def up_to_first(problem: Problem, over: Mapping[str, Interval]) -> Shorter | Non
         return None
     q = seen[0] * float(family.frequency_unit)
     return Shorter({path: (low, short_between(at + (far - at) / 2, far))}, (q, float(at)))
+
+
+_STEP, _HALVINGS = 0.7, 16  # radians that the argument may turn between neighbours; and how often these are halved
+
+
+def count_seen(reduced: Reduced, X: float) -> int | None:
+    """The count that passivity beyond X̂ closes; None where floats do not tell."""
+    function = Floats(reduced)
+    q = np.unique(np.concatenate([np.linspace(0, X, 97), np.geomspace(1e-4, 1, 33) * X]))
+    q[0] = 1e-9 * X
+    with np.errstate(all="ignore"):
+        values, settled = refined(lambda q: _dets(function, q), q, lambda f: ~(np.abs(_turns(f)) < _STEP), _HALVINGS)[
+            1:
+        ]
+    if not settled:
+        return None
+    middle = function.receptance.between(np.array([1j * X]), reduced.places)[0]
+    try:
+        with precision(64):
+            closing = float(closing_argument(reduced, X, middle, np.zeros(middle.shape)))
+    except PrecisionError:
+        return None
+    order = reduced.bodies - reduced.contacts - reduced.neutral
+    total = (closing + order * float(arb.pi()) / 2 - float(_turns(values).sum())) / np.pi
+    return round(total) if abs(total - round(total)) < 0.05 else None
+
+
+def _turns(values: Any) -> Any:
+    return np.angle(values[1:] / values[:-1])
+
+
+def _dets(function: Floats, q: Any) -> Any:
+    A = function.matrices(1j * q)[0]
+    sizes = np.abs(A).max(2, keepdims=True)
+    return np.linalg.det(A / np.where(sizes > 0, sizes, 1))
+
+
+def corners_and_more(box: tuple[Reals, Reals], seed: int = 1, more: int = 12) -> list[Reals]:
+    """Points of a box (low, high): its corners, as long as they are few, and others; a fixed choice."""
+    low, high = box
+    ends = list(product(*zip(low, high, strict=True)))[:64]
+    inner = np.random.default_rng(seed).uniform(size=(more, len(low)))
+    return [np.array(end) for end in ends] + [low + t * (high - low) for t in inner]
+
+
+_POINTS = 17
+_SEARCHED = 8  # of as many points one is searched without hints
+
+
+@dataclass(frozen=True)
+class Seen:
+    """A root q̂ at x̂, and the distance of the points that were looked at."""
+
+    x: float
+    q: complex
+    step: float
+
+
+def least_seen(family: Family, low: float, high: float, area: Area) -> Seen | None:
+    """The lowest root that is met at points of [low, high] (of x̂), Re q̂ ≥ 0; None where none is met."""
+    x = np.linspace(low, high, _POINTS)
+    ends = family.box[0]
+    roots: list[Any] = [np.zeros(0, complex)] * len(x)
+    for k in range(0, len(x), _SEARCHED):
+        roots[k] = _roots(family, x[k], ends, area, roots[k], 1)
+    for k in range(1, len(x)):  # followed from point to point, and back where one point has more than the next
+        if len(roots[k]) < len(roots[k - 1]):
+            roots[k] = _roots(family, x[k], ends, area, np.concatenate([roots[k], roots[k - 1]]), 0)
+    for k in range(len(x) - 2, -1, -1):
+        if len(roots[k]) < len(roots[k + 1]):
+            roots[k] = _roots(family, x[k], ends, area, np.concatenate([roots[k], roots[k + 1]]), 0)
+    best = [(float(q.imag), float(x[k]), complex(q)) for k, row in enumerate(roots) for q in row]
+    if not best:
+        return None
+    _, at, q = min(best)
+    return Seen(at, q, float(x[1] - x[0]))
+
+
+def _roots(
+    family: Family, x: float, ends: tuple[Fraction, Fraction], area: Area, hints: Complexes, levels: int
+) -> Any:
+    if not len(hints) and not levels:
+        return hints
+    at = min(max(Fraction(x), ends[0]), ends[1])
+    try:
+        return search(family.reduced([at]), area, hints, levels)
+    except (InputError, PrecisionError):
+        return hints[:0]
