@@ -13,7 +13,7 @@ import numpy as np
 
 from mpsolve.batch.groups import Group
 from mpsolve.batch.kernel import chunks, receptances
-from mpsolve.batch.waves import felt, moved_between, passes_branch
+from mpsolve.batch.wave_sums import felt, moved_between, passes_branch
 from mpsolve.numbers.arrays import Complexes, Reals, Truths
 
 _RATIO = 1.3

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.bordering import Bordering
+from mpsolve.characteristic.bordering import Bordering, distances_of
 from mpsolve.characteristic.follow import cancelled, followed, upper_first
 from mpsolve.characteristic.receptance import by_companions
 from mpsolve.characteristic.splitting import float_splitting, monic, upper_count
@@ -72,6 +72,11 @@ class Receptance:
                 for row, values in zip(rows, better, strict=True):
                     row[near] = values
         return G, G_sigma
+
+    def between(self, sigma: Any, places: Sequence[Fraction]) -> Any:
+        """G between the places, shape (len(σ), places, places)."""
+        distances, which = distances_of(places)
+        return np.moveaxis(np.array(self(sigma, distances, slope=False)[0])[np.array(which)], -1, 0)
 
     def doubtful(self, sigma: Any, farthest: float) -> Truths:
         """Where p-roots may be off by so much that G is wrong in the sixth digit as far as `farthest`; an estimate.

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.characteristic.bordering import distances_of
 from mpsolve.characteristic.boxes import Boxes, FreeTrack, Wave
 from mpsolve.characteristic.circles import by_circles
 from mpsolve.characteristic.free_roots import Roots, roots_over
@@ -61,11 +62,9 @@ class FreeReceptance:
     @cached_property
     def distances(self) -> tuple[Forms, Truths, Integers]:
         """(the different distances as forms, which are at least 0, for each pair of places the number of its own)."""
-        places, variables = self.family.places, self.track.variables
-        exact = sorted({a - b for a in places for b in places})
-        which = np.array([[exact.index(a - b) for b in places] for a in places])
-        forms = Forms.of([{(0, *e): c for e, c in x} for x in exact], variables)
-        return forms, np.arange(len(exact)) >= which[0, 0], which
+        exact, which = distances_of(self.family.places)
+        forms = Forms.of([{(0, *e): c for e, c in x} for x in exact], self.track.variables)
+        return forms, np.arange(len(exact)) >= which[0][0], np.array(which)
 
     def __call__(self, boxes: Boxes) -> Receptances:
         """Over each box."""

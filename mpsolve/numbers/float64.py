@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -125,3 +125,18 @@ def polynomial_and_slope(D: Any, z: Complexes) -> tuple[Complexes, Complexes]:
         slope = slope * z + value
         value = value * z + D[:, i : i + 1]
     return value, slope
+
+
+def refined(f: Callable[[Any], Any], points: Any, wide: Callable[[Any], Any], rounds: int) -> tuple[Any, Any, bool]:
+    """(points, f there along the last axis, whether no step is wide any more): steps that are so often halved.
+
+    wide: of the values, which steps between neighbours are too long.
+    """
+    values = f(points)
+    for _ in range(rounds):
+        at = np.flatnonzero(wide(values))
+        if not len(at):
+            return points, values, True
+        between = (points[at] + points[at + 1]) / 2
+        points, values = np.insert(points, at + 1, between), np.insert(values, at + 1, f(between), axis=-1)
+    return points, values, not wide(values).any()

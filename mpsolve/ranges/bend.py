@@ -20,7 +20,7 @@ from mpsolve.numbers.taylor import SAMPLES, Taylor, taylor
 from mpsolve.proof import newton
 from mpsolve.proof.vanishing import scalar
 from mpsolve.ranges.branch import SIDE, Model
-from mpsolve.ranges.rootcurve import AtPoint
+from mpsolve.ranges.curves import AtPoint
 
 _SHARE = 0.34  # of a box: the square round the disc of complex x̂ lies in |u₁| < 1/2
 _SHRINK = 1  # samples lie on the circle of half the radius

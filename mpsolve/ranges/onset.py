@@ -18,10 +18,10 @@ from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.answer import Answer, Interval, Valued
 from mpsolve.ranges.crossed import Crossings
-from mpsolve.ranges.first import BEYOND, up_to_first
 from mpsolve.ranges.left_out import LeftOut
 from mpsolve.ranges.onset_worst import AtWorst, at_worst
 from mpsolve.ranges.scope import checked_over
+from mpsolve.ranges.seen import BEYOND, up_to_first
 from mpsolve.ranges.unstable import found_in, intervals_of, near, shared
 
 _QUICK = 40_000  # boxes of a first try, if nothing else is asked: an onset needs the range up to itself only

@@ -149,8 +149,7 @@ class Scope:
         # cells of frequencies are not halved: boxes do it where it is needed, and a checker has less to follow
         if one:
             return far(self.envelope)
-        found = passive_beyond(self.envelope, halvings=0)
-        return None if found is None else float(found.X)
+        return passive_beyond(self.envelope, halvings=0)
 
     def judge(self, kind: type[Judge] = Judge, **more: Any) -> Judge:
         """A judge of boxes in (q̂, x̂) over the whole; more: of its kind."""
