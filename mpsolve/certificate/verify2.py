@@ -2403,6 +2403,28 @@ def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: 
     return whole(number)
 
 
+def check_behind(vehicle: Bodies, first: Mark) -> None:
+    """No root in Im q < 0: no wave runs ahead of the one place that is touched (SPEC2, section 5)."""
+    require(first.known.nodes.up == 0, "waves run ahead of the contacts")
+    require(len(vehicle.sites) == 1, "the track is touched at several places")
+    nc = vehicle.B.ncols()
+    forces = vehicle.B.tolist() + [
+        [fmpq(int(i == j and bool(h))) for j in range(nc)] for i, h in enumerate(vehicle.h)
+    ]
+    require(fmpq_mat(forces).rank() == nc, "contacts share a force that a rail at rest does not determine")
+
+
+def count_behind(walker: Walker, region: Region, values: Any, start: Any, track: Track) -> int:
+    """The number of roots in a half-plane, or below a height, where none is in Im q < 0."""
+    require(region.kind in ("unstable", "below"), "this region needs no theorem")
+    paths = read_paths(values, "link turn" if region.kind == "below" else "")
+    if not paths:
+        return 0
+    disc = replace(region, kind="below disc")
+    check_paths(disc, paths, start)
+    return count_roots(walker, disc, paths, None, track)
+
+
 # --- the whole sheet --------------------------------------------------------------------------------------
 
 
@@ -3005,6 +3027,11 @@ def spectrum(content: dict[str, Any]) -> str:
             require(content["theorem"] is None, "at rest no theorem is needed")
             check_passive_track(track)
             number = 0
+        elif content["theorem"] == {"half": "behind"}:
+            check_no_cut(track, region.height)
+            walker.begin(start)
+            check_behind(vehicle, walker.marks[fmpq(0), -start])
+            number = count_behind(walker, region, content["paths"], start, track)
         else:
             paths = read_paths(content["paths"], "link turn" if track.v == 0 else KINDS[region.kind])
             check_no_cut(track, region.height)
