@@ -3075,7 +3075,7 @@ def words(content: Any, track: Track, vehicle: Bodies, region: Region, roots: Se
         sign = "±" if root.pair else ""
         more = f" ({root.multiplicity} roots)" if root.multiplicity > 1 else ""
         axis = " (imaginary)" if not root.pair and root.z[0] == 0 and root.multiplicity == 1 else ""
-        said.append(f"  q = {sign}{x:.15g}{y:+.15g}i within {float(arb(root.radius)):.2g}{more}{axis}")
+        said.append(f"  q ≈ {sign}{x:.15g}{y:+.15g}i, in a ball of radius {two_digits(root.radius)}{more}{axis}")
     if vehicle.neutral:
         said.append(f"  and {vehicle.neutral} neutral at q = 0 (a coordinate without spring or contact), named apart")
     if vehicle.unfelt:
@@ -3089,6 +3089,11 @@ def words(content: Any, track: Track, vehicle: Bodies, region: Region, roots: Se
         left = " + ".join(f"({polynomial_words(x)}) u{j + 1}" for j, x in enumerate(row) if x)
         said.append(f"  {left} = {'load' if k == track.loaded else '0'}")
     return "\n".join([*said, f"  velocity {track.v}; {vehicle_words(content['equations']['vehicle'])}"])
+
+
+def two_digits(radius: Any) -> str:
+    """Not less than a radius > 0, however small it is."""
+    return str((arb(radius) * 1.06).str(2, radius=False))
 
 
 def vehicle_words(value: Any) -> str:
