@@ -172,7 +172,7 @@ class _Rail:
     def __init__(self, setting: Setting, h: float) -> None:
         track = setting.track
         gaps = setting.contacts - setting.contacts[0]
-        table = wave_tables(track.waves(setting.length, setting.velocity), gaps, h, 1, 1)
+        table = wave_tables(track.waves(setting.length, setting.velocity), gaps, h)
         shape = track.rate.shape
         self._h, self._weight, self._direct = h, track.weight, h * table.direct
         self._decay = table.decay.reshape(shape)

@@ -1,24 +1,27 @@
 """What a step does to exponentials under moving forces, in closed form: tables that do not change from step to step.
 
 A mode a sin kx of a simply supported length L is Re(weight · z) with z_t = rate · z + (2/L) Σ_j f_j(t) sin k x_j(t),
-and x_j moves at a constant velocity. Over a step f_j is a sum of Legendre polynomials P_l, and motions are tested
-against P_a.
+and x_j moves at a constant velocity. Over a step f_j is f₀P₀ + f₁P₁, P₀ = 1, P₁ = 2θ − 1, and motions are tested
+against both.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
-from math import factorial
 from typing import Any
 
 import numpy as np
-from numpy.polynomial import Polynomial, legendre
+from numpy.polynomial import legendre
 
 from mpsolve.numbers.arrays import Complexes, Reals
 
 _SMALL = 3.0
 _POINTS = 14
+_LEGENDRE = np.array([[1.0, 0.0], [-1.0, 2.0]])
+"""P₀ and P₁ in 1, θ."""
+_MIRRORED = np.array([[1.0], [-1.0]])
+"""What turns P_l read from the end of the step into P_l."""
 
 
 @cache
@@ -26,15 +29,6 @@ def gauss(points: int) -> tuple[Reals, Reals]:
     """Nodes and weights of Gauss on [0, 1], each (points,)."""
     x, weight = legendre.leggauss(points)
     return (x + 1) / 2, weight / 2
-
-
-def legendre_powers(degree: int) -> Reals:
-    """Row l: the coefficients of P_l(2θ − 1) in 1, θ, θ², …; (degree + 1, degree + 1)."""
-    rows = np.zeros((degree + 1, degree + 1))
-    for row, unit in zip(rows, np.eye(degree + 1), strict=True):
-        power = Polynomial(legendre.leg2poly(unit))(Polynomial([-1, 2])).coef
-        row[: len(power)] = power
-    return rows
 
 
 def moments(z: Any, degree: int) -> Complexes:
@@ -58,27 +52,23 @@ def moments(z: Any, degree: int) -> Complexes:
     return out
 
 
-def nested_moments(p: Complexes, q: Any, outer: int, inner: int) -> Complexes:
-    """∫₀¹ θ^a e^{pθ} ∫₀^θ σ^l e^{qσ} dσ dθ for a ≤ outer, l ≤ inner; (outer + 1, inner + 1, *p.shape).
+def nested_moments(p: Complexes, q: Any) -> Complexes:
+    """∫₀¹ θ^a e^{pθ} ∫₀^θ σ^l e^{qσ} dσ dθ for a, l ≤ 1; (2, 2, *p.shape).
 
     The inner integral is taken in closed form where |q| > 3, by Gauss over σ/θ elsewhere.
     """
-    out = np.zeros((outer + 1, inner + 1, *p.shape), complex)
+    out = np.zeros((2, 2, *p.shape), complex)
     large = np.abs(q) > _SMALL
     far = q[large]
-    both, first = moments(p[large] + far, outer + inner), moments(p[large], outer)
-    for a in range(outer + 1):
-        for power in range(inner + 1):
-            value = -((-1) ** power) * factorial(power) / far ** (power + 1) * first[a]
-            for i in range(power + 1):
-                falling = factorial(power) // factorial(power - i)
-                value += (-1) ** i * falling / far ** (i + 1) * both[a + power - i]
-            out[a, power][large] = value
+    both, first = moments(p[large] + far, 2), moments(p[large], 1)
+    for a in (0, 1):
+        plain = (both[a] - first[a]) / far
+        out[a, 0][large], out[a, 1][large] = plain, (both[a + 1] - plain) / far
     for node, weight in zip(*gauss(_POINTS), strict=True):
-        inside = moments(p[~large] + q[~large] * node, outer + inner + 1)
-        for a in range(outer + 1):
-            for power in range(inner + 1):
-                out[a, power][~large] += weight * node**power * inside[a + power + 1]
+        inside = moments(p[~large] + q[~large] * node, 3)
+        for a in (0, 1):
+            out[a, 0][~large] += weight * inside[a + 1]
+            out[a, 1][~large] += weight * node * inside[a + 2]
     return out
 
 
@@ -95,7 +85,7 @@ class Waves:
 
 @dataclass(frozen=True)
 class WaveTables:
-    """E exponentials, n contacts, tests a, force polynomials l.
+    """E exponentials, n contacts, two tests a, two force polynomials l.
 
     decay (E,): e^{rate h}. entry, two of (l, E): ∫ P_l e^{±ikx} as added to z. history, two of (a, E): ∫φ_a of the
     velocity under e^{±ikx} per unit z. direct (n, n, a, l): ∫φ_a of the velocity at contact i per force P_l at
@@ -109,33 +99,26 @@ class WaveTables:
     image: Any
 
 
-def nested(p: Complexes, q: Any, h: float, tests: int, degree: int) -> Any:
+def _nested(p: Complexes, q: Any, h: float) -> Any:
     """h ∫ P_a e^{pt} ∫₀^t P_l e^{qs}, lengths in units of the step h; (a, l, *p.shape)."""
-    outer, inner = legendre_powers(tests), legendre_powers(degree)
-    return h * np.einsum("am,lj,mj...->al...", outer, inner, nested_moments(p * h, q * h, tests, degree))
+    return h * np.einsum("am,lj,mj...->al...", _LEGENDRE, _LEGENDRE, nested_moments(p * h, q * h))
 
 
-def mirrored(degree: int) -> Any:
-    """The factors that turn P_l read from the end of the step into P_l, (l, 1)."""
-    return (-1.0) ** np.arange(degree + 1)[:, None]
-
-
-def wave_tables(waves: Waves, places: Reals, h: float, tests: int, degree: int) -> WaveTables:
-    """The tables for contacts at these distances from one another, steps h, tests and forces up to these degrees."""
+def wave_tables(waves: Waves, places: Reals, h: float) -> WaveTables:
+    """The tables for contacts at these distances from one another, and steps h."""
     k, rate, weight = waves.k, waves.rate, waves.weight
     turn, share = 1j * waves.velocity * k, 2 / waves.length
-    against, forces = legendre_powers(tests), legendre_powers(degree)
 
     def entry(sign: int) -> Any:  # ∫ e^{rate(h − t)} P_l(t) of sin = Σ sign e^{sign ikx}/2i
-        backward = forces @ moments((rate - sign * turn) * h, degree)
-        return share * sign / 2j * h * np.exp(sign * turn * h) * mirrored(degree) * backward
+        backward = _LEGENDRE @ moments((rate - sign * turn) * h, 1)
+        return share * sign / 2j * h * np.exp(sign * turn * h) * _MIRRORED * backward
 
     def history(sign: int) -> Any:
-        return weight * (rate + sign * turn) * sign / 2j * (against @ moments((rate + sign * turn) * h, tests))
+        return weight * (rate + sign * turn) * sign / 2j * (_LEGENDRE @ moments((rate + sign * turn) * h, 1))
 
     def answer(out: int, entering: int) -> Any:  # the velocity along e^{out ikx} to a force along e^{entering ikx}
         strength = -out * entering / 4 * share * weight * (rate + out * turn)
-        return strength * nested(rate + out * turn, entering * turn - rate, h, tests, degree)
+        return strength * _nested(rate + out * turn, entering * turn - rate, h)
 
     wave = np.exp(1j * np.multiply.outer(places[:, None] - places, k))
     direct = np.einsum("ije,ale->ijal", wave, answer(1, -1)) + np.einsum("ije,ale->ijal", wave.conj(), answer(-1, 1))
