@@ -23,9 +23,8 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.answer import Answer, Interval, Spent, Valued
-from mpsolve.ranges.crossed import Crossings
+from mpsolve.ranges.crossed import Crossings, LeftOut
 from mpsolve.ranges.least_onset import Least, Question
-from mpsolve.ranges.left_out import LeftOut
 from mpsolve.ranges.never import never_unstable
 from mpsolve.ranges.scope import OpenError, checked_over, from_above_rest, one_path, scope_of
 from mpsolve.ranges.seen import BEYOND, up_to_first

@@ -11,7 +11,7 @@ from flint import arb
 from mpsolve.characteristic.path import Proved
 from mpsolve.characteristic.paths import Paths
 from mpsolve.proof.effort import Effort
-from mpsolve.proof.winding import number_of_zeros
+from mpsolve.proof.turning import number_of_zeros
 
 _PIECES = 12  # of a side, with which halving begins
 
