@@ -1130,16 +1130,17 @@ def contraction(w: Sequence[Any], inverse: Any, tiny: Any) -> tuple[list[Any], l
     β is found by iteration; what counts is the last inequality. The wider of two joins more neighbours.
     """
 
-    def image(beta: list[Any]) -> list[Any]:
+    def image(beta: list[Any]) -> tuple[list[Any], bool]:
         s = (inverse * arb_mat(len(w), 1, beta)).entries() if w else []
-        return [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)] if all(y < 0.5 for y in s) else [arb("inf")]
+        tau = [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)] if all(y < 1 for y in s) else [arb("inf")]
+        return tau, all(y < 0.5 for y in s) and all(map(lt, tau, beta))
 
     beta = [(x * 1.2 + tiny).upper() for x in w]
     for _ in range(10):
-        tau = image(beta)
-        if all(map(lt, tau, beta)):
+        tau, holds = image(beta)
+        if holds:
             wide = [(x * 2).upper() for x in beta]
-            return (wide if all(map(lt, image(wide), wide)) else beta), tau
+            return (wide if image(wide)[1] else beta), tau
         if not tau[0].is_finite():
             return None
         beta = [(x * 1.15 + tiny).upper() for x in tau]
@@ -1928,20 +1929,25 @@ def hermitian(F: Form, index: Sequence[Sequence[int]], turns: Sequence[Any]) -> 
 def definite(H: Sequence[Any], E: Any) -> bool:
     """Whether H_0 + Σ ε_k H_k + R > 0 is proved for all |ε_k| ≤ 1 and all Hermitian |R| ≤ E entry by entry.
 
-    R ≥ −diag(row sums of E) (Gershgorin); the (ε_k) at which the rest is > 0 are a convex set: corners are enough.
+    The (ε_k) at which it is > 0 with one R are a convex set: corners C are enough. C > 0 by its pivots, and C + sR is
+    regular for 0 ≤ s ≤ 1: so it stays > 0.
     """
-    n, (first, *others) = E.nrows(), H
+    first, *others = H
     for a in others[CORNERS:]:
         E = E + moduli(a)
-    lost = (E * arb_mat(n, 1, [1] * n)).entries()
-    least = first - acb_mat([[lost[i] if i == j else 0 for j in range(n)] for i in range(n)])
-    ends = [least]
+    ends = [first]
     for a in others[:CORNERS]:
-        ends = [x for end in ends for x in (end + a, end - a)]
+        ends = [y for end in ends for y in (end + a, end - a)]
     try:
-        return all(x.real > 0 for end in ends for x in pivots(end))
+        return all(all(y.real > 0 for y in pivots(C)) and stays_regular(C, E) for C in ends)
     except Refused:
         return False
+
+
+def stays_regular(A: Any, E: Any) -> bool:
+    """Whether A + R is regular for all |R| ≤ E entry by entry: |X(A + R) − 1| contracts, X near 1/A."""
+    X = near_inverse(A)
+    return contracting(moduli(X * A - identity(A.nrows())) + moduli(X) * E)
 
 
 @dataclass(repr=False, eq=False)

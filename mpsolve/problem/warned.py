@@ -33,6 +33,7 @@ _IN_TITLE = re.compile(r"([0-9]+(?:\.[0-9]+)?) ?(?:km/h|kmh|kph)")
 _ORDINARY = 85  # m/s, 306 km/h: what runs faster has a unit beside it, or is meant in km/h
 _SHEARLESS = 0.2  # p times the radius of gyration up to which a beam without shear is right to some per cent
 _SPACING = 0.6  # m, of sleepers
+_CLOSE, _NEAR = Fraction(1, 200), Fraction(1, 10**6)  # contacts in m, in units of one's own: nothing runs so close
 _Row = tuple[Fraction, list[Fraction], str]
 _SMEARED = ("two-layer", "three-layer", "slab")
 
@@ -62,30 +63,45 @@ def _of_ratios(case: Case) -> Iterator[Reason]:
     for j, (a, b) in enumerate(pairwise(case.positions), 1):
         if a == b:
             yield _one_place(f"positions[{j}] and positions[{j + 1}] are both {a.short()}, so the masses move as one")
+        elif float(b) - float(a) < _NEAR:
+            yield _nearly(f"positions[{j}] and positions[{j + 1}]", rounded(float(b) - float(a)))
     if case.eta_b > 1:
         stated = f"eta_b is {case.eta_b.short()}, above 1, the critical damping of the foundation"
         yield Reason("overdamped", stated, {"ratio": case.eta_b.short()}, "check it, if that is not meant")
 
 
 def _at_one_place(problem: Problem) -> Iterator[Reason]:
-    """The first two vehicles at one place or in each other, and the first with two contacts at one place."""
+    """The first two vehicles at one place, nearly so, or in each other, and the first with two such contacts."""
+    in_metres = isinstance(problem.track, Track) and getattr(problem.track, "m", None) != 1
+    near, unit = (_CLOSE, "m") if in_metres else (_NEAR, "")
     own = [(placed, sorted(placed.vehicle.pencil.places)) for placed in problem.vehicles]
     rows = sorted(((placed.position, places, placed.vehicle.name) for placed, places in own if places))
-    yield from islice((said for behind, ahead in pairwise(rows) for said in _clash(behind, ahead)), 1)
-    twice = (name for _, places, name in rows if len(set(places)) < len(places))
-    yield from islice((_one_place(f"two contacts of one {name} stand at one place") for name in twice), 1)
+    yield from islice((said for behind, ahead in pairwise(rows) for said in _clash(behind, ahead, near, unit)), 1)
+    least = ((min((b - a for a, b in pairwise(places)), default=near), name) for _, places, name in rows)
+    twice = ((f"two contacts of one {name}", gap) for gap, name in least if gap < near)
+    said = (_nearly(who, spoken(gap, unit)) if gap else _one_place(f"{who} stand at one place") for who, gap in twice)
+    yield from islice(said, 1)
 
 
-def _clash(behind: _Row, ahead: _Row) -> Iterator[Reason]:
+def _clash(behind: _Row, ahead: _Row, near: Fraction, unit: str) -> Iterator[Reason]:
     """Place of the middle, places of the contacts from there, and name of two vehicles."""
     (x, wheels, name), (y, others, other) = behind, ahead
+    gap = y + others[0] - (x + wheels[-1])
     if x == y:
         yield _one_place(f"two vehicles, {name} and {other}, stand at one place, x = {shown(x)} m")
-    elif y + others[0] <= x + wheels[-1]:
+    elif 0 < gap < near:
+        yield _nearly(f"the {name} at x = {shown(x)} {unit}".rstrip() + f" and the next {other}", spoken(gap, unit))
+    elif gap <= 0:
         stated = f"the {name} at x = {shown(x)} m and the {other} at x = {shown(y)} m stand in each other"
         front, rear = shown(x + wheels[-1]), shown(y + others[0])
         stated = f"{stated}, as wheels of the one reach to {front} m and those of the other from {rear} m on"
         yield Reason("vehicles-overlap", stated, {}, "give them positions or a spacing further apart")
+
+
+def _nearly(who: str, gap: str) -> Reason:
+    return Reason(
+        "contacts-nearly-at-one-place", f"{who} stand only {gap} apart", {"gap": gap}, "check their positions"
+    )
 
 
 def _one_place(stated: str) -> Reason:

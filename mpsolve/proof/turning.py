@@ -61,11 +61,11 @@ def regular(A: Jet) -> Regular:
 
 def weighed(E: Reals, rounds: int = 12) -> tuple[Reals, Reals]:
     """(x > 0 for which θ is nearly the least, θ with E x ≤ θ x) of matrices E ≥ 0."""
-    x = np.ones(E.shape[:2])
+    kept = E + 0.02 * np.eye(E.shape[1])  # no floor: each component has a unit of its own
+    x = np.ones((*E.shape[:2], 1))
     for _ in range(rounds):
-        y = np.einsum("bij,bj->bi", E, x)
-        y = y + 0.02 * x  # no floor: each component has a unit of its own
-        x = y / y.max(1, keepdims=True)
+        x = kept @ x
+    x = (x / x.max(1, keepdims=True))[:, :, 0]
     return x, np.max(np.einsum("bij,bj->bi", E, x) / x, axis=1) * UP
 
 

@@ -19,7 +19,7 @@ from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.warned import titled
 from mpsolve.report.blocks import Columns, Document, Line, Section, certificate_words
-from mpsolve.report.spectrum_words import ASSUMED, Units, proved, units_of, verdict, verified_briefly
+from mpsolve.report.spectrum_words import ASSUMED, Units, beyond, proved, units_of, verdict, verified_briefly
 from mpsolve.report.vibration import Trend, Vibration, vibrations
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.tracks.waveguide import Track
@@ -37,8 +37,9 @@ def spectrum_document(
     stated, motions = verdict(spectrum), vibrations(spectrum)
     blocks: list[Line | Section] = [Line(title, "bold")] if title else []
     blocks += [Line(stated, _COLOUR.get(re.split(r"[ :]", stated)[0], "bold")), *warnings_of(spectrum, title)]
-    if motions:
-        blocks.append(Section("Vibrations", _motions(motions, spectrum)))
+    if motions or beyond(spectrum):
+        table = _motions(motions, spectrum) if motions else f"None. {beyond(spectrum)}"
+        blocks.append(Section("Vibrations", table))
     if spectrum.unfelt:
         blocks.append(Section("Roots of motions that no contact feels", Columns(list(_unfelt(spectrum)))))
     blocks.append(Section("Problem", Columns(list(_problem(spectrum)))))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import log, pi
 
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
@@ -73,7 +74,24 @@ def proved(spectrum: Spectrum) -> tuple[str, ...]:
         said.append(f"The region is not all that was asked for: {spectrum.note}.")
     if spectrum.closing:
         said.append(f"None is missed: {spectrum.closing}.")
+    said += filter(None, [beyond(spectrum)])
     return (*said, *_apart(spectrum), *_balls(spectrum))
+
+
+def beyond(spectrum: Spectrum) -> str:
+    """Which vibrations were not looked at, and where they show; "" where none were left out, or in a rectangle."""
+    region, units = spectrum.region, units_of(spectrum)
+    if not isinstance(region, (Below, HalfPlane)) or not spectrum.proved:
+        return ""
+    elsewhere = "the motion itself (response) holds all of them"
+    if isinstance(region, HalfPlane):
+        return f"Not looked at: vibrations that decay; {elsewhere}."
+    time = log(2) / float(region.height)
+    short = spoken(time, "s") if units.time == "s" else f"{rounded(time)} {units.time}"
+    fast = ""
+    if region.reach is not None:
+        fast = f", nor those above {rounded(float(region.reach) / (2 * pi))} {units.frequency} that decay"
+    return f"Not looked at: vibrations that halve in less than {short}, as waves of the track do{fast}; {elsewhere}."
 
 
 def _known(spectrum: Spectrum) -> Iterator[str]:

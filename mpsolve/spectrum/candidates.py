@@ -16,14 +16,16 @@ import numpy as np
 from mpsolve.characteristic.floats import Floats
 from mpsolve.frozen import frozen
 from mpsolve.problem.reduced import Reduced
+from mpsolve.spectrum.on_frozen_track import on_frozen_track
 
 _STEPS = 40
 _FEW, _SHORT = 8, (14, 20, 40)  # roots; steps to so few from the best hints, from more, and from all without crowds
 _AROUND, _ON_LINE = 0.3, 1e-9  # of an area's size: how far outside points may wander, and roots may be
-_CROWD = 1e-3  # relative: hints that are closer give one start
+_SPREAD = 1e-3  # relative: hints that are closer give one start
+_CROWD, _ROUND = 1e-5, 12  # relative radius, and points of a circle round roots that floats may take for one
 _NEXT = 0.03  # relative: the first starts are so far from each other
 _ARRIVED = 1e-9  # a step relative to |q|: the next one is of the size of its square
-_SAME = 1e-7  # relative to the size of the rectangle: closer ones are taken for one root
+_SAME = 1e-7  # relative: closer roots are taken for one
 
 
 @frozen
@@ -87,34 +89,49 @@ def find_roots(
     def all_found(roots: Any) -> bool:
         if on_the_way is not None:
             on_the_way()
-        new = [q for q in roots[before:].tolist() if any(area.counts(q) for area in areas)]
-        return sum(map(weight, new)) >= count
+        return stood_for(roots, [1] * len(roots)) >= count
+
+    def stood_for(roots: Any, times: list[int]) -> int:
+        new = zip(roots[before:].tolist(), times[before:], strict=True)
+        return sum(weight(q) * n for q, n in new if any(area.counts(q) for area in areas))
+
+    def with_crowds(roots: Any) -> bool:
+        return all_found(roots) or stood_for(roots, _crowds(function, roots).tolist()) >= count
 
     few = count <= _FEW
+    sprung = on_frozen_track(function, max(area.size for area in areas))
+    ways: list[tuple[Callable[[Area], Any], int]] = [(lambda _: sprung, _STEPS)]
     for level, steps in enumerate(_SHORT if few else (_STEPS,) * len(_SHORT)):
-        landed = _best(function, hints if level < 2 else _spread(hints), np.inf, len(hints))
-        for area in areas if level or few else areas[:1]:
-            if all_found(found):
-                return found[before:]
-            starts = landed[area.holds(landed, (_AROUND if level else _ON_LINE) * area.size)]
-            starts = starts[: 8 * count + 20] if level else _apart(starts)[: 4 * count + 8]
-            found = _newton(function, area, starts, found, all_found, steps)
+        ways.append((_from_hints(function, hints, level, count), steps))
     more: Callable[[], Any] = cache(later) if later is not None else lambda: hints[:0]
-    ways: list[Callable[[Area], Any]] = [lambda _: more()]
-    ways += [partial(_starts, function, level) for level in range(5)]
-    ways += [_towards_zero, lambda _: hints]  # rare: a heavy mass; many roots, some far from the others
-    for starts_in in ways:
-        for area in areas:
-            if all_found(found):
-                return found[before:]
-            found = _newton(function, area, starts_in(area), found, all_found)
-    return found[before:]
+    last: list[Callable[[Area], Any]] = [lambda _: more(), *(partial(_starts, function, n) for n in range(5))]
+    last.append(lambda _: hints)  # rare: many roots, some far from the others
+    for k, (starts_in, steps) in enumerate([*ways, *((one, _STEPS) for one in last)]):
+        if with_crowds(found):
+            break
+        for area in areas if k != 1 or few else areas[:1]:
+            if not all_found(found):
+                found = _newton(function, area, starts_in(area), found, all_found, steps)
+    return found[before:][np.argsort(-_crowds(function, found[before:]), kind="stable")]
 
 
-def _towards_zero(area: Area, least: float = 1e-18, many: int = 60) -> Any:
-    """Points in all directions, ever closer to q = 0."""
-    size = area.size * np.geomspace(least, 0.1, many)
-    return (size[:, None] * np.exp(1j * np.pi * np.linspace(-0.5, 0.5, 9))).ravel()
+def _from_hints(function: Floats, hints: Any, level: int, count: int) -> Callable[[Area], Any]:
+    """Where Newton's step leads from hints; at the first level few, that are apart."""
+    best = cache(lambda: _best(function, hints if level < 2 else _spread(hints), np.inf, len(hints)))
+
+    def starts_in(area: Area) -> Any:
+        starts = best()[area.holds(best(), (_AROUND if level else _ON_LINE) * area.size)]
+        return starts[: 8 * count + 20] if level else _apart(starts)[: 4 * count + 8]
+
+    return starts_in
+
+
+def _crowds(function: Floats, roots: Any) -> Any:
+    """How many zeros of Δ̂ are as close to each as floats tell them apart, by the mean of Δ̂′/Δ̂ on a circle."""
+    circle = _CROWD * np.abs(roots)[:, None] * np.exp(2j * np.pi * np.arange(_ROUND) / _ROUND)
+    step = _step(function, (roots[:, None] + circle).ravel(), np.zeros(0, complex))
+    number = (-circle.ravel() / step).real.reshape(circle.shape).mean(1)
+    return np.where(np.isfinite(number), np.rint(number), 1).astype(int)
 
 
 def search(reduced: Reduced, area: Area, hints: Any, levels: int = 2) -> Any:
@@ -123,8 +140,8 @@ def search(reduced: Reduced, area: Area, hints: Any, levels: int = 2) -> Any:
     found = np.zeros(0, complex)
     if len(hints):
         found = _newton(function, area, np.asarray(hints, complex), found)
-    if levels:  # bodies on soft springs, far below the waves of a track
-        found = _newton(function, area, _best(function, _towards_zero(area, 1e-5, 20), np.inf, 60), found)
+    if levels:
+        found = _newton(function, area, on_frozen_track(function, area.size), found)
     for level in range(levels):
         found = _newton(function, area, _starts(function, level, area), found)
     return found
@@ -134,7 +151,7 @@ def _spread(points: Any) -> Any:
     """The points without those that all but repeat the one before: where p-roots nearly meet, pieces crowd."""
     kept: list[complex] = []
     for q in np.asarray(points, complex).tolist():
-        if not kept or abs(q - kept[-1]) > _CROWD * abs(q):
+        if not kept or abs(q - kept[-1]) > _SPREAD * abs(q):
             kept.append(q)
     return np.array(kept, complex)
 
@@ -203,7 +220,7 @@ def _newton(
         alive = np.isfinite(q) & area.holds(q, _AROUND * area.size)
         arrived = alive & (np.abs(step) < _ARRIVED * np.maximum(np.abs(q), 1e-20 * area.size))
         for root in q[arrived]:
-            if area.holds(root, slack) and not (np.abs(found - root) < _SAME * area.size).any():
+            if area.holds(root, slack) and not (np.abs(found - root) < _SAME * np.abs(root)).any():
                 found = np.append(found, root)
         q = q[alive & ~arrived]
     return found

@@ -17,6 +17,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.balls import arb, precision
+from mpsolve.numbers.float64 import short
 from mpsolve.numbers.jets import UP, Jet, U
 from mpsolve.passivity.beyond import Beyond, plan_beyond
 from mpsolve.passivity.growth import fastest_growth
@@ -26,6 +27,7 @@ from mpsolve.proof.cover import OpenPieceError
 from mpsolve.proof.definite import positive
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.closing import closing_argument
+from mpsolve.spectrum.on_frozen_track import on_rigid_rail
 from mpsolve.spectrum.partial import Partial, count_strips, holding_growth
 from mpsolve.spectrum.premises import open_at_rest, require_off_cuts, require_premises
 from mpsolve.spectrum.reasons import WavesMeetError
@@ -34,9 +36,9 @@ from mpsolve.spectrum.sides import along_sides, side, whole_turn, zeros
 from mpsolve.tracks.at_rest import lowest_cut
 
 AT_REST = "nothing moves: a passive vehicle on a passive track has no root with Im q < 0"
-_LEAST_REACH = 2.0  # scaled: how far at least a count above the real axis goes
-_MOST_REACH = 256.0  # scaled: of a disc whose radius is not given
-_AT_REST_REACH = 8.0  # and how far it goes where nothing moves
+_LEAST_REACH, _AT_REST_REACH = 2.0, 8.0  # scaled: how far at least a count above the real axis goes; if nothing moves
+_MOST_REACH = 256.0  # scaled: how far a vehicle can make it go, or a disc whose radius is not given
+_BEYOND = 1.25  # times the vehicle's own highest frequency
 Tell = Callable[[str, float], None]
 
 
@@ -93,7 +95,9 @@ def count_roots(
         partial.growth = rate * reduced.frequency_unit
     tell("passivity", 0.0)
     closed = open_at_rest(reduced) or (
-        plan_beyond(paths, effort, _LEAST_REACH if height else 0.0) if reduced.guide.v else None
+        plan_beyond(paths, effort, _least_reach(reduced, _LEAST_REACH) if height else 0.0)
+        if reduced.guide.v
+        else None
     )
     tell("contour", 0.3)
     if isinstance(closed, str):
@@ -114,7 +118,8 @@ def _at_rest(reduced: Reduced, region: Region) -> bool:
 def _half_plane(paths: Paths, first: Start, height: Fraction, beyond: Beyond | None, effort: Effort) -> Count:
     """The count that passivity closes: beyond a rectangle, or at rest (None) everywhere in Im q < 0."""
     reduced = paths.arrays.reduced
-    rho, h = beyond.rho if beyond is not None else _AT_REST_REACH, scaled_height(reduced, height)
+    h = scaled_height(reduced, height)
+    rho = short(_least_reach(reduced, _AT_REST_REACH)) if beyond is None else beyond.rho
     chain = (
         paths.plan("link", _descent(first, h), effort),
         paths.plan("turn", _along(rho, h), effort),
@@ -217,23 +222,13 @@ def _radius(reduced: Reduced, region: Region) -> float:
     asked = getattr(region, "radius", None)
     if asked is not None:
         return float(asked / reduced.frequency_unit)
-    return float(min(max(8.0, 2.0 ** np.ceil(np.log2(1.5 * _own_frequency(reduced) + 1e-9))), _MOST_REACH))
+    own = np.abs(on_rigid_rail(reduced)).max(initial=0.0)
+    return float(min(max(8.0, 2.0 ** np.ceil(np.log2(1.5 * own + 1e-9))), _MOST_REACH))
 
 
-def _own_frequency(reduced: Reduced) -> float:
-    """In floats: the largest |σ̂| of the vehicle on a rigid rail, as far as its contacts have springs."""
-    K, C, M = (np.array([[float(x) for x in row] for row in rows]) for rows in reduced.S)
-    B = np.array([[float(x) for x in row] for row in reduced.B])
-    soft = [j for j, h in enumerate(reduced.h) if h]
-    K = K + (B[:, soft] / np.array([float(reduced.h[j]) for j in soft])) @ B[:, soft].T if soft else K
-    n = len(M)
-    try:
-        inverse = np.linalg.pinv(M)
-    except np.linalg.LinAlgError:
-        return 0.0
-    top = np.hstack([np.zeros((n, n)), np.eye(n)])
-    values = np.linalg.eigvals(np.vstack([top, np.hstack([-inverse @ K, -inverse @ C])]))
-    return float(np.abs(values).max()) if np.isfinite(values).all() else 0.0
+def _least_reach(reduced: Reduced, least: float) -> float:
+    """How far a count above the real axis goes at least: beyond what the vehicle does by itself."""
+    return min(max(least, _BEYOND * float(np.abs(on_rigid_rail(reduced).imag).max(initial=0.0))), _MOST_REACH)
 
 
 def _descent(first: Start, h: float) -> Complexes:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import nullcontext
 from dataclasses import field
 from fractions import Fraction
@@ -77,7 +77,7 @@ def _solve(
     try:
         tell("roots", 0.5)
         balls = _enclosed(reduced, count, digits, tell, so_far)
-        number = sum(ball.multiplicity for ball in balls)
+        number = _number(balls)
         if number != count.total or not disjoint(balls):
             message = f"{count.total} roots are counted, but {number} could be enclosed"
             numbers = {"counted": str(count.total), "enclosed": str(number)}
@@ -127,7 +127,7 @@ def _signed(
         if more * digits > MOST_DIGITS:
             return None
         balls = _enclosed(reduced, count, more * digits, tell, [])
-        if sum(ball.multiplicity for ball in balls) != count.total or not disjoint(balls):
+        if _number(balls) != count.total or not disjoint(balls):
             return None
     return balls if all(_sign(ball) is not None for ball in balls) else None
 
@@ -144,24 +144,28 @@ def _enclosed(
         found = (_balls(proved, sigma, more * digits) for more in _CLOSER)
         for ball in next(filter(None, found), []):
             _add(balls, ball, count.region, proved.lossless)
-    left = count.total - sum(ball.multiplicity for ball in balls)
-    if not left:
-        return tuple(balls)
     unit = float(reduced.frequency_unit)
-    known = [q for q in (complex(ball.q.mid()) / unit for ball in balls) if q.real >= 0]
     later = partial(beside_branch_points, count) if isinstance(count, SheetCount) else None
-    areas = areas_of(reduced, count)
-    seeds = find_roots(reduced, areas, left, hints, weight, lambda: tell("roots", 0.5), known, later)
-    for k, q in enumerate(seeds.tolist()):
-        for ball in _balls(proved, 1j * q, digits):
-            _add(balls, ball, count.region, proved.lossless)
-        tell("roots", 0.5 + 0.5 * (k + 1) / len(seeds))
-    for q in seeds.tolist():  # floats may take roots for one that are closer than they can tell
-        if sum(ball.multiplicity for ball in balls) >= count.total:
-            break
-        for ball in _separated(proved, 1j * q, digits):
-            _add(balls, ball, count.region, proved.lossless)
+    areas, left, before = areas_of(reduced, count), count.total - _number(balls), count.total + 1
+    while 0 < left < before:  # what floats took for several roots in one place may be one, and others elsewhere
+        known = [q for q in (complex(ball.q.mid()) / unit for ball in balls) if q.real >= 0]
+        seeds = find_roots(reduced, areas, left, hints, weight, lambda: tell("roots", 0.5), known, later)
+        for k, q in enumerate(seeds.tolist()):
+            for ball in _balls(proved, 1j * q, digits):
+                _add(balls, ball, count.region, proved.lossless)
+            tell("roots", 0.5 + 0.5 * (k + 1) / len(seeds))
+        for q in seeds.tolist():  # floats may take roots for one that are closer than they can tell
+            if _number(balls) >= count.total:
+                break
+            for ball in _separated(proved, 1j * q, digits):
+                _add(balls, ball, count.region, proved.lossless)
+        before, left = left, count.total - _number(balls)
     return tuple(balls)
+
+
+def _number(balls: Iterable[RootBall]) -> int:
+    """With multiplicity."""
+    return sum(ball.multiplicity for ball in balls)
 
 
 def _add(balls: list[RootBall], ball: RootBall, region: Answered, lossless: bool) -> None:

@@ -872,6 +872,19 @@ def test_hermitian_matrices_over_a_box_against_eigenvalues(n):
     assert set(seen) == {True, False}
 
 
+def test_close_contacts_lose_what_is_open_between_them_only():
+    """H_0 is small along (1, −1, 0, …) alone: a rest of one size everywhere takes 2 e there, in whatever phases."""
+    rng, n, e = np.random.default_rng(8), 6, 1e-4
+    for times, fine in ((2.5, True), (1.9, False)):
+        u = np.array([1, -1, 0, 0, 0, 0]) / np.sqrt(2)
+        H = np.eye(n) + (times * e - 1) * np.outer(u, u)
+        assert v2.definite([acb_mat(H.tolist())], arb_mat(n, n, [e] * n * n)) == fine
+        phases = np.exp(2j * np.pi * rng.random((200, n)))
+        phases[0, :2] = 1, -1
+        least = min(np.linalg.eigvalsh(H - e * np.outer(x, x.conj()))[0] for x in phases)
+        assert (least > 0) == fine
+
+
 MIXED = {  # a mass on its own; a wheel with a frame above; a body on two contacts, one of them soft
     "M": [["2", "0", "0", "0"], ["0", "3", "0", "0"], ["0", "0", "5", "0"], ["0", "0", "0", "7"]],
     "C": [["0", "0", "0", "0"], ["0", "1", "-1", "0"], ["0", "-1", "1", "0"], ["0", "0", "0", "0"]],

@@ -6,6 +6,7 @@ import pickle
 from fractions import Fraction
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 from flint import arb
@@ -37,6 +38,19 @@ def test_the_papers_beam(eta_b: str, known: str) -> None:
         v = Fraction(known) * (1 + side * Fraction(1, 4000))
         heavy = certify(Problem(beam(eta_b), vehicles.Mass(10**7), v=v), region="unstable", check=False)
         assert heavy.count == count
+
+
+@pytest.mark.parametrize("eta_b", ["0.003", "0.001"])
+def test_light_damping(eta_b: str) -> None:
+    """The sign of Im G next to the loss, from p-roots in mpmath; at q → 0 alone it changes there."""
+    found, c = passivity_velocity(beam(eta_b), over={"v": (0, 2)}), 2 * mpmath.mpf(eta_b)
+    assert found.kind is Kind.LOST
+    with mpmath.workdps(30):
+        for side, q in ((1, "1e-6"), (-1, "1e-6"), (-1, "1e-4"), (-1, "1e-2"), (-1, 1), (-1, 10)):
+            v, s = mpmath.mpf(found.value.str(25, radius=False)) * (1 + side * c / 1000), mpmath.mpc(0, q)
+            roots = mpmath.polyroots([0.25, 0, v**2, -v * (2 * s + c), s**2 + c * s + 1], maxsteps=200, extraprec=60)
+            G = sum(1 / (P**3 + 2 * v**2 * P - v * (2 * s + c)) for P in roots if P.real < 0)
+            assert G.imag * side > 0
 
 
 def test_the_velocities_up_to_the_loss_itself_are_covered(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -39,6 +39,12 @@ def test_nothing_is_said_of_what_is_right(tmp_path: Path) -> None:
         assert not warned(read_problem(EXAMPLES / f"{name}.toml").given), name
 
 
+MASS = vehicles.Mass(900)
+AXLES = vehicles.Vehicle(
+    M=[[900, 0], [0, 900]], C=[[0] * 2] * 2, K=[[0] * 2] * 2, B=[[1, 0], [0, 1]], places=[0, "0.001"]
+)
+
+
 def test_two_masses_at_one_place() -> None:
     twins = Problem(tracks.EulerBernoulli(**RAIL), [vehicles.Mass(900), vehicles.Mass(800)], v=100)
     (said,) = warned(twins)
@@ -48,6 +54,26 @@ def test_two_masses_at_one_place() -> None:
         "give one of them another position, if that is not meant"
     )
     assert codes(Case(alpha="0.5", eta_b="0.1", eta_m=[1, 1], positions=[2, 2])) == ["contacts-at-one-place"]
+
+
+@pytest.mark.parametrize(
+    ("given", "gap"),
+    [
+        (Problem(tracks.EulerBernoulli(**RAIL), [MASS.at(0), MASS.at("1e-7 mm")], v=100), "1e-7 mm"),
+        (Problem(tracks.EulerBernoulli(**RAIL), [MASS.at("1e-10"), MASS.at("-0.004")], v=100), "4 mm"),
+        (Problem(tracks.EulerBernoulli(EI="1/4", m=1, k=1), [MASS.at(0), MASS.at("1e-10")], v="0.5"), "1e-10"),
+        (Problem(tracks.EulerBernoulli(EI="1/4", m=1, k=1), [MASS.at(0), MASS.at("0.004")], v="0.5"), None),
+        (Problem(tracks.EulerBernoulli(**RAIL), [MASS.at(0), MASS.at("0.1")], v=100), None),
+        (Problem(tracks.EulerBernoulli(**RAIL), [AXLES], v=100), "1 mm"),
+        (Case(alpha="0.5", eta_b="0.1", eta_m=[1, 1], positions=[2, "2.0000000001"]), "1e-10"),
+        (Case(alpha="0.5", eta_b="0.1", eta_m=[1, 1], positions=[2, "2.0001"]), None),
+    ],
+)
+def test_contacts_that_all_but_meet(given: Any, gap: str | None) -> None:
+    """A position in the wrong unit: the answer is right, but about something else than was meant."""
+    near = [one for one in warned(given) if one.code == "contacts-nearly-at-one-place"]
+    assert [one.numbers["gap"] for one in near] == [gap] * (gap is not None)
+    assert all(str(one).endswith(f"stand only {gap} apart: check their positions") for one in near)
 
 
 BOGIE = vehicles.Bogie(wheel=900, frame=1300, inertia=700, wheelbase="2.5", k="1.2e6", c=4000)

@@ -10,7 +10,7 @@ import pytest
 from flint import acb, arb
 from reported import SPRUNG, WIRE, fast, wire
 
-from mpsolve import Case, Exact, PhysicalCase, Problem, certify
+from mpsolve import Case, Exact, PhysicalCase, Problem, Status, certify
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.result import Cost
 from mpsolve.problem.problem import Problem as Asked
@@ -48,9 +48,10 @@ def test_growing() -> None:
     assert "GROWS, doubles" in text
 
 
-def test_undecided_without_roots_has_no_table() -> None:
+def test_without_roots_there_is_a_sentence_for_the_table() -> None:
     empty = replace(wire(), roots=(), count=0)
-    assert "Vibrations" not in spectrum_document(empty).text()
+    assert "Vibrations\n  None. Not looked at: vibrations that halve" in spectrum_document(empty).text()
+    assert "Vibrations" not in spectrum_document(replace(empty, status=Status.UNDECIDED)).text()
 
 
 def test_motions_that_no_contact_feels() -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import log
+from math import log, pi
 
 import pytest
 from flint import acb, arb
@@ -11,8 +11,17 @@ from reported import SPRUNG, fast, wire, without_theorem
 
 from mpsolve import Case, Problem, Rectangle, Status, certify, tracks, vehicles
 from mpsolve.outcome import Reason
-from mpsolve.report.spectrum_words import DIMENSIONLESS, SI, proved, units_of, verdict, verified, verified_briefly
-from mpsolve.spectrum.regions import HalfPlane
+from mpsolve.report.spectrum_words import (
+    DIMENSIONLESS,
+    SI,
+    beyond,
+    proved,
+    units_of,
+    verdict,
+    verified,
+    verified_briefly,
+)
+from mpsolve.spectrum.regions import Below, HalfPlane, Sheet
 
 ZERO = [[0, 0], [0, 0]]
 
@@ -120,3 +129,19 @@ def test_what_nothing_damps_is_not_said_to_decay(v: object) -> None:
 
 def test_a_vehicle_that_moves_by_itself() -> None:
     assert units_of(certify(SPRUNG, region="unstable", digits=15, check=False)) == SI
+
+
+def test_what_a_table_leaves_out_is_said() -> None:
+    """Im q < h is a halving time of more than ln 2/h; the whole sheet and a chosen rectangle leave out nothing."""
+    region = wire().region
+    assert isinstance(region, Below)
+    said = beyond(wire())
+    assert said in proved(wire())
+    shortest = float(said.split("less than ")[1].split(" s,")[0])
+    assert shortest == pytest.approx(log(2) / float(region.height), rel=1e-3)
+    assert float(said.split("above ")[1].split(" Hz")[0]) == pytest.approx(
+        float(region.reach or 0) / (2 * pi), rel=1e-3
+    )
+    assert beyond(fast()).startswith("Not looked at: vibrations that decay;")
+    for other in (Sheet(), Rectangle(-1, 1, -1, 0)):
+        assert not beyond(replace(wire(), region=other))

@@ -72,3 +72,18 @@ def test_bodies_on_soft_springs_are_found_far_below_the_waves_of_the_track() -> 
     for moved, stiffness in ((16000.0, 2 * k), (985000.0, 2 * k * 9.5**2)):
         alone = np.sqrt(stiffness / moved)
         assert np.abs(np.abs(found) - alone).min() < 0.03 * alone
+
+
+def test_roots_that_floats_cannot_tell_apart_end_the_search_and_come_first() -> None:
+    """The bogies of a coach are 19 m apart, and the ballast carries nothing so far: each rings as if alone."""
+    reduced = reduce_problem(problem_of("ballasted", "manchester")[0])
+    unit, steps = float(reduced.frequency_unit), [0]
+
+    def on_the_way() -> None:
+        steps[0] += 1
+
+    found = find_roots(reduced, (Area(0.0, 2.0, -1.0, 118 / unit),), 20, np.zeros(0, complex), both, on_the_way)
+    assert len(found) < 10  # of ten with Re q > 0
+    assert steps[0] < 60  # no grid was searched
+    first = np.abs(found[: 10 - len(found)] * unit)
+    assert (first > 60).all()  # the car's own six are apart

@@ -20,6 +20,8 @@ from mpsolve.spectrum.count import Count, count_roots
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
 from mpsolve.tracks.at_rest import lowest_cut
 from mpsolve.tracks.waveguide import Polynomial, Waveguide
+from mpsolve.vibration.image import Image
+from mpsolve.vibration.poles import searched
 
 BEAM = tracks.EulerBernoulli(EI="1/4", m=1, k=1, c="0.1")
 WIRE = tracks.String(T=27000, m="1.07", k=500, c=2)
@@ -172,3 +174,20 @@ def test_close_contacts_are_not_left_out(gap: str) -> None:
         one = count(reduce_problem(Problem(BEAM, [vehicles.Mass(80)], v=v)), HalfPlane())
         assert close.region == one.region == HalfPlane()
         assert close.total == one.total == number
+
+
+def test_the_height_is_counted_beyond_what_the_vehicle_does_by_itself() -> None:
+    """Light pantographs on a light wire: their bodies swing faster than the wire, and decay more slowly.
+
+    The truth is the motion after loads have come on, whose roots another search has (`vibration.search`).
+    """
+    wire = tracks.String(T="20e3", m="1.35", k=1, c=1)
+    row = [vehicles.Oscillator(wheel=8, body=15, k=150, c=1).at(x) for x in (0, 20)]
+    problem = Problem(wire, row, v=50)
+    found = count(reduce_problem(problem), Below(Fraction("0.34")))
+    slow = [-1j * pole.sigma * Image(problem, ()).rate for pole in searched(problem).poles]
+    assert [q for q in slow if q.imag < 0.34 and q.real > 2.5]
+    assert found.total == 2 * len(slow)
+    assert isinstance(found.region, Below)
+    assert found.region.reach is not None
+    assert found.region.reach > max(q.real for q in slow)
