@@ -20,8 +20,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.batch.halves import Halves, largest_real_root
-from mpsolve.batch.kernel import at_roots, chunks
-from mpsolve.batch.matrix import log_det, matrices
+from mpsolve.batch.kernel import at_roots, chunks, log_det, matrices
 from mpsolve.numbers.arrays import Complexes, Integers, Reals, Truths
 
 MAX_STEP = 0.6  # rad, of the phase between neighbouring nodes

@@ -20,7 +20,7 @@ from mpsolve.characteristic.splitting import float_splitting, monic, upper_count
 from mpsolve.characteristic.symbol import Coefficients, Symbols, Terms, horner
 from mpsolve.frozen import frozen
 from mpsolve.numbers.arrays import Complexes, Truths
-from mpsolve.numbers.float64 import Float64, log_slope
+from mpsolve.numbers.float64 import Float64, gaps, log_slope
 from mpsolve.numbers.jets import U
 from mpsolve.problem.reduced import Guide, Reduced
 
@@ -87,7 +87,7 @@ class Receptance:
         with np.errstate(all="ignore"):
             local, z, up = self.symbols.at(_K, sigma[:, None]), self.roots(sigma), self.upper
             off = 16 * U * horner([abs(c) for c in local.D], abs(z)) / abs(horner(local.D_P, z))
-            apart = np.abs(z[:, :, None] - z[:, None, :]) + np.where(np.eye(z.shape[1]), np.inf, 0)
+            apart = gaps(z)
             beside = np.abs(z.real) <= 100 * off + _TIE * np.abs(z).max(-1, keepdims=True, initial=0)
             unclear = (beside & (off > _WRONG * apart.min(-1, initial=np.inf))).any(-1)
             sizes = [np.abs(c) for side in (z[:, :up], z[:, up:]) for c in monic(list(side.T))]

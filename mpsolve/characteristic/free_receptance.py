@@ -13,6 +13,7 @@ from mpsolve.characteristic.boxes import Boxes, FreeTrack, Wave
 from mpsolve.characteristic.circles import by_circles
 from mpsolve.characteristic.free_roots import Roots, roots_over
 from mpsolve.numbers.arrays import Complexes, Integers, Reals, Truths
+from mpsolve.numbers.float64 import gaps
 from mpsolve.numbers.forms import Forms
 from mpsolve.numbers.jets import TINY, UP
 from mpsolve.numbers.quadratic import Quadratic
@@ -138,9 +139,8 @@ def grown(phase: Quadratic, weight: Quadratic) -> Quadratic:
 
 def may_meet(z: Any, up: int) -> Any:
     """Boxes with two roots of one side so close that they may meet, in floats."""
-    gap = np.abs(z[:, :, None] - z[:, None, :])
-    upper = np.arange(z.shape[1]) < up
-    same = (upper[:, None] == upper[None, :]) & ~np.eye(z.shape[1], dtype=bool)
+    gap, upper = gaps(z), np.arange(z.shape[1]) < up
+    same = upper[:, None] == upper[None, :]
     other = np.where(upper[:, None] != upper[None, :], gap, np.inf).min(2)
     near = gap < _TOGETHER * np.minimum(other[:, :, None], other[:, None, :])
     return (near & same).any((1, 2))

@@ -27,11 +27,10 @@ from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import precision
 from mpsolve.numbers.float64 import short
 from mpsolve.passivity.beyond import depth_of, first_passive
-from mpsolve.passivity.decay import vanishes
+from mpsolve.passivity.decay import overtakes, vanishes
 from mpsolve.passivity.far import prove_tail
-from mpsolve.passivity.short_waves import overtakes
 from mpsolve.proof.effort import Effort
-from mpsolve.proof.winding import number_of_zeros
+from mpsolve.proof.turning import number_of_zeros
 from mpsolve.spectrum.closing import closing_argument
 from mpsolve.spectrum.premises import open_at_rest, require_premises
 from mpsolve.spectrum.reasons import WavesMeetError

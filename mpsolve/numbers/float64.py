@@ -118,6 +118,13 @@ def companions(D: Any) -> Any:
     return C
 
 
+def gaps(z: Any, own: float = np.inf) -> Any:
+    """The distances of the numbers of each row from each other; `own`: of each from itself."""
+    gap = np.abs(z[:, :, None] - z[:, None, :])
+    gap[:, range(z.shape[1]), range(z.shape[1])] = own
+    return gap
+
+
 def polynomial_and_slope(D: Any, z: Complexes) -> tuple[Complexes, Complexes]:
     """Values and slopes in z at several z for each polynomial Σ D[:, i] z^i; z of shape (rows, …)."""
     value, slope = np.broadcast_to(D[:, -1:], z.shape), np.zeros_like(z)

@@ -16,8 +16,8 @@ from mpsolve.numbers.decimals import proved_digits
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.passivity.box import passive_beyond
+from mpsolve.passivity.decay import overtakes
 from mpsolve.passivity.envelope import Envelope
-from mpsolve.passivity.short_waves import overtakes
 from mpsolve.passivity.subject import Subject
 from mpsolve.problem.problem import Problem, require_problem
 from mpsolve.problem.reduced import Reduced, reduce_problem

@@ -56,7 +56,7 @@ def _bends(matrix: FreeMatrix, proved: FreeProved, q: complex, x: float, radius:
     if not reduced.good[0] or not np.isfinite(reduced.s.e[0]):
         return False
     with precision(_BITS):
-        model = Model([acb(complex(c[0])) for c in reduced.s.k], arb(float(reduced.s.e[0])))
+        model = Model.of(reduced.s, 0)
         side = arb(0, _SHARE)
         found = model.branch(acb(side, side))
         if found is None:

@@ -23,9 +23,8 @@ from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.answer import Interval, Proof, Spent, within
 from mpsolve.ranges.base import base_at, growing, uncounted
 from mpsolve.ranges.certified import Base, crossings_certificate, verified, with_room
-from mpsolve.ranges.crossed import Crossing, Crossings
+from mpsolve.ranges.crossed import Crossing, Crossings, speeds_within
 from mpsolve.ranges.enclosed import Crossing as Scaled
-from mpsolve.ranges.left_out import speeds_within
 from mpsolve.ranges.lone_mass import without_damping
 from mpsolve.ranges.never import never_unstable
 from mpsolve.ranges.parted import COMPLETE, parted, speeds_above

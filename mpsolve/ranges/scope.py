@@ -21,9 +21,9 @@ from mpsolve.numbers.plain import float_beside
 from mpsolve.numbers.spoken import beside
 from mpsolve.outcome import Reason
 from mpsolve.passivity.box import passive_beyond
+from mpsolve.passivity.decay import overtakes
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.far import far, forget_tail
-from mpsolve.passivity.short_waves import overtakes
 from mpsolve.passivity.subject import Subject
 from mpsolve.problem.cases import Given, as_problem, value_at
 from mpsolve.problem.family import Family, Interval, family_of, require_ends

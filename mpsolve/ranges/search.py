@@ -16,6 +16,7 @@ import numpy as np
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.arrays import Complexes, Reals
 from mpsolve.numbers.balls import precision
+from mpsolve.numbers.float64 import gaps
 from mpsolve.numbers.quadratic import Quadratic
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
@@ -152,8 +153,7 @@ def _more(D: Quadratic, z: Complexes, up: int) -> Reals:
     flat = gap.reshape(len(z), -1)
     rows, pair = np.arange(len(z)), flat.argmin(1)
     P = (z[rows, pair // gap.shape[2]] + z[rows, up + pair % gap.shape[2]]) / 2
-    whole = np.abs(z[:, :, None] - z[:, None, :]) + 1e300 * np.eye(z.shape[1])
-    alone = np.sort(whole.reshape(len(z), -1), 1)[:, 2] > _APART * flat[rows, pair]
+    alone = np.sort(gaps(z).reshape(len(z), -1), 1)[:, 2] > _APART * flat[rows, pair]
     n = np.arange(D.k.shape[-1])
     power = P[:, None] ** n
     a, b0, b1, c00, c01, c11 = (D.k * power).sum(-1)
