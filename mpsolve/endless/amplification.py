@@ -18,17 +18,10 @@ from mpsolve.characteristic.discs import split
 from mpsolve.characteristic.path import discs
 from mpsolve.characteristic.residues import waves
 from mpsolve.characteristic.start import start
-<<<<<<< HEAD
-from mpsolve.endless.ratio import Ratio
-from mpsolve.errors import InputError, PrecisionError
-from mpsolve.numbers.jets import nearest
-from mpsolve.numbers.model import checked_range
-=======
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.arrays import Complexes, Reals, Truths
 from mpsolve.numbers.jets import UP, Jet, nearest
-from mpsolve.numbers.model import range_from_0
->>>>>>> small
+from mpsolve.numbers.model import checked_range
 from mpsolve.numbers.plain import float_beside
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
