@@ -126,8 +126,7 @@ def _write(output: Path, said: list[Said]) -> None:
 
 
 def _picture(name: str) -> Callable[[Any, Asked], str]:
-    from mpsolve.pictures.loci import loci_picture
-    from mpsolve.pictures.open_boxes import open_boxes
+    from mpsolve.pictures.over_ranges import loci_picture, open_boxes
     from mpsolve.pictures.proved_chart import proved_chart
 
     pictures: dict[str, Callable[[Any, Asked], str]] = {"lines": loci_picture, "robust": open_boxes}

@@ -94,7 +94,7 @@ def _report(spectrum: Spectrum, title: str, path: Path, as_json: bool, by_defaul
 
     by_default: the path is not the user's own, so that no other case's certificate may be overwritten there.
     """
-    from mpsolve.certificate.own_name import own_name
+    from mpsolve.certificate.format import own_name
 
     saved, failure = None, None
     refused = spectrum.reason is not None and spectrum.reason.code in _REFUSED

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import click
 
@@ -25,6 +26,8 @@ from mpsolve.cli_tools import (
 from mpsolve.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from mpsolve.progress import Progress
     from mpsolve.proof.effort import Effort
     from mpsolve.report.ranges_asked import Asked
@@ -51,9 +54,14 @@ def _over(several: bool, default: str) -> Option:
     return click.option("--over", "overs", multiple=True, metavar="RANGE", help=text)
 
 
-def _work(effort: Effort | None, tell: Progress | None, **more: Any) -> dict[str, Any]:
-    """What is left of the effort of the command, which may ask several ranges."""
-    return {"effort": effort and effort.rest(), "progress": tell, **more}
+def _asking(prove: Any, said_of: Any, effort: Effort | None, **more: Any) -> Callable[[Asked, Progress | None], Said]:
+    """Asks with what is left of the effort of the command, which may ask several ranges, and says what is found."""
+
+    def answer(question: Asked, tell: Progress | None) -> Said:
+        options = {"effort": effort and effort.rest(), "progress": tell, **more}
+        return cast("Said", said_of(prove(question.given, over=question.over, **options), question))
+
+    return answer
 
 
 @command(
@@ -80,24 +88,22 @@ def onset(everything: bool, worsts: tuple[str, ...], digits: int, effort: str | 
 
     Exit status 0: proved, whatever the answer. 1: undecided, with the reason. 2: the input cannot be used.
     """
+    from mpsolve.ranges.onset import onset as prove
+    from mpsolve.ranges.unstable import unstable_ranges
+    from mpsolve.report.ranges_words import said_of_onset, said_of_ranges
+    from mpsolve.report.worst_words import said_of_onset_at_worst
+
     whole = effort_of(effort)
 
-    def answer(question: Asked, tell: Progress | None) -> Said:
-        from mpsolve.ranges.onset import onset as prove
-        from mpsolve.ranges.unstable import unstable_ranges
-        from mpsolve.report import ranges_words as words
+    def at_worst(question: Asked, tell: Progress | None) -> Said:
+        second = question.second(worsts)
+        said = partial(said_of_onset_at_worst, second=second)
+        return _asking(prove, said, whole, digits=digits, worst=second.over)(question, tell)
 
-        options = _work(whole, tell, digits=digits)
-        if worsts:
-            from mpsolve.report.worst_words import said_of_onset_at_worst
-
-            second = question.second(worsts)
-            found = prove(question.given, over=question.over, worst=second.over, **options)
-            return said_of_onset_at_worst(found, question, second)
-        if everything:
-            return words.said_of_ranges(unstable_ranges(question.given, over=question.over, **options), question)
-        return words.said_of_onset(prove(question.given, over=question.over, **options), question)
-
+    if everything:
+        answer = _asking(unstable_ranges, said_of_ranges, whole, digits=digits)
+    else:
+        answer = at_worst if worsts else _asking(prove, said_of_onset, whole, digits=digits)
     if len(worsts) > 1:
         raise InputError("--worst", "is given more than once: name one parameter")
     if worsts and everything:
@@ -111,16 +117,10 @@ def crossings(digits: int, effort: str | None, **asked: Any) -> None:
 
     A root q is real there. Exit status as for onset.
     """
-    whole = effort_of(effort)
+    from mpsolve.ranges.crossings import crossings as prove
+    from mpsolve.report.ranges_words import said_of_crossings
 
-    def answer(question: Asked, tell: Progress | None) -> Said:
-        from mpsolve.ranges.crossings import crossings as prove
-        from mpsolve.report import ranges_words as words
-
-        found = prove(question.given, over=question.over, **_work(whole, tell, digits=digits))
-        return words.said_of_crossings(found, question)
-
-    answered(answer, endless=True, **asked)
+    answered(_asking(prove, said_of_crossings, effort_of(effort), digits=digits), endless=True, **asked)
 
 
 @command(
@@ -139,15 +139,10 @@ def lines(points: int, region: str | None, digits: int, effort: str | None, **as
 
     Exit status 0: every root is followed and none is missing. 1: some are open. 2: the input cannot be used.
     """
-    whole = effort_of(effort)
+    from mpsolve.loci.lines import frequency_lines
+    from mpsolve.report.lines_words import said_of_lines
 
-    def answer(question: Asked, tell: Progress | None) -> Said:
-        from mpsolve.loci.lines import frequency_lines
-        from mpsolve.report.lines_words import said_of_lines
-
-        options = _work(whole, tell, digits=digits, points=points, region=region)
-        return said_of_lines(frequency_lines(question.given, over=question.over, **options), question)
-
+    answer = _asking(frequency_lines, said_of_lines, effort_of(effort), digits=digits, points=points, region=region)
     answered(answer, suffixes=_DRAWN, **asked)
 
 
@@ -163,16 +158,10 @@ def worst(digits: int, effort: str | None, **asked: Any) -> None:
     That is where the vibration that grows fastest grows fastest, or, where none grows, the least damped one decays
     most slowly: the global minimum of Im q over the range, its ends included. Exit status as for onset.
     """
-    whole = effort_of(effort)
+    from mpsolve.ranges.worst import worst as prove
+    from mpsolve.report.worst_words import said_of_worst
 
-    def answer(question: Asked, tell: Progress | None) -> Said:
-        from mpsolve.ranges.worst import worst as prove
-        from mpsolve.report.worst_words import said_of_worst
-
-        found = prove(question.given, over=question.over, **_work(whole, tell, digits=digits))
-        return said_of_worst(found, question)
-
-    answered(answer, "gap", **asked)
+    answered(_asking(prove, said_of_worst, effort_of(effort), digits=digits), "gap", **asked)
 
 
 @command(
@@ -240,13 +229,8 @@ def chart(depth: int, effort: str | None, **asked: Any) -> None:
 
     Exit status 0: every region is proved. 1: some are open. 2: the input cannot be used.
     """
-    whole = effort_of(effort)
+    from mpsolve.ranges.chart import stability_chart
+    from mpsolve.report.robust_words import said_of_chart
 
-    def answer(question: Asked, tell: Progress | None) -> Said:
-        from mpsolve.ranges.chart import stability_chart
-        from mpsolve.report.robust_words import said_of_chart
-
-        found = stability_chart(question.given, over=question.over, **_work(whole, tell, depth=depth))
-        return said_of_chart(found, question)
-
+    answer = _asking(stability_chart, said_of_chart, effort_of(effort), depth=depth)
     answered(answer, "chart", suffixes=_DRAWN, **asked)

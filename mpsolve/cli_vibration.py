@@ -15,8 +15,7 @@ if TYPE_CHECKING:
     from mpsolve.problem.casefile import InputFile
     from mpsolve.problem.inputfile import ProblemFile
     from mpsolve.proof.effort import Effort
-    from mpsolve.vibration.case_motion import Response
-    from mpsolve.vibration.case_units import Scale
+    from mpsolve.vibration.case_motion import Response, Scale
     from mpsolve.vibration.forcing import Irregularity
     from mpsolve.vibration.liftoff import Event
     from mpsolve.vibration.motion import Vibration
@@ -90,7 +89,7 @@ def of_case(source: InputFile, tau: Any, places: list[str] | None, **work: Any) 
 
 def _scale(source: InputFile) -> Scale:
     from mpsolve.problem.physical import PhysicalCase
-    from mpsolve.vibration.case_units import Scale
+    from mpsolve.vibration.case_motion import Scale
 
     return Scale.of(source.case if isinstance(source.case, PhysicalCase) else None)
 
@@ -187,7 +186,7 @@ def compared(source: ProblemFile, times: Any, budget: Effort) -> Shown:
 def compared_case(source: InputFile, tau: Any, budget: Effort) -> Shown:
     """The same of a case of the paper."""
     from mpsolve.finite.beam import finite_beam
-    from mpsolve.vibration.case_units import units_of
+    from mpsolve.vibration.case_motion import units_of
 
     scale = _scale(source)
     rear = {"tau": tau, "xi": [float(units_of(source.case).case.positions[0])]}
@@ -215,7 +214,7 @@ def _compared(
     the curve on a finite piece of the track, which adds what is to be said of it.
     """
     from mpsolve.problem.cases import as_problem
-    from mpsolve.proof.in_time import in_time
+    from mpsolve.proof.deadline import in_time
     from mpsolve.report.figures_motion import save_comparison
     from mpsolve.vibration.response import response
     from mpsolve.vibration.studies import merged, superposition

@@ -15,10 +15,10 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.batch.closing import closing_argument
 from mpsolve.batch.groups import Group
-from mpsolve.batch.matrix import log_delta
-from mpsolve.batch.waves import felt, moved_between, passes_branch
+from mpsolve.batch.kernel import log_delta
+from mpsolve.batch.passive import closing_argument
+from mpsolve.batch.wave_sums import felt, moved_between, passes_branch
 from mpsolve.numbers.arrays import Complexes, Integers, Reals, Truths
 
 MAX_STEP = 0.5  # rad, of the argument between neighbouring points

@@ -15,8 +15,7 @@ import numpy as np
 from mpsolve.batch.entries import Entries, different
 from mpsolve.errors import InputError
 from mpsolve.numbers.arrays import Integers
-from mpsolve.passivity.decay import vanishes
-from mpsolve.passivity.short_waves import slowest_short_wave
+from mpsolve.passivity.decay import slowest_short_wave, vanishes
 from mpsolve.problem.reduced import Guide, track_guide
 from mpsolve.tracks.at_rest import Status, at_rest
 from mpsolve.tracks.passive import passivity

@@ -13,7 +13,7 @@ import numpy as np
 
 from mpsolve.batch.count import Counted
 from mpsolve.batch.groups import Group
-from mpsolve.batch.matrix import log_slope
+from mpsolve.batch.kernel import log_slope
 from mpsolve.numbers.arrays import Complexes, Integers, Reals
 
 SAME = 1e-7  # relative distance of two approximations to one root

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.batch.halves import Halves
-from mpsolve.batch.matrix import log_slope
+from mpsolve.batch.kernel import log_slope
 from mpsolve.batch.roots import poles, weight
 from mpsolve.batch.sheet_count import NODES, Edge, count_sheet
 from mpsolve.numbers.arrays import Complexes, Integers, Reals

@@ -1,4 +1,7 @@
-"""Sums of waves e^{zξ} between all contacts of a row, at many points."""
+"""Sums of waves e^{zξ} between all contacts of a row, at many points.
+
+And what p-roots tell of the way from one point to the next: whether they change sides, and how far waves turn.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.numbers.arrays import Complexes, Reals
+from mpsolve.numbers.arrays import Complexes, Reals, Truths
 
 _REACH = 1200.0
 """Exponents up to this are taken as products of waves; beyond it the distances are taken one by one."""
@@ -117,4 +120,48 @@ def _one_by_one(z: Any, weight: Complexes, x: Any, up: int) -> Complexes:
     for i in range(count - 1, 0, -1):  # contacts at one place: ξ = 0 belongs to the upper roots
         here = same[gaps[same, i - 1] == 0]
         out[here, i - 1] = out[here, i]
+    return out
+
+
+_SIDES = 0.4
+
+
+def passes_branch(z: Any, up: int) -> Truths:
+    """Whether G may have a branch point between a point and the next: an upper and a lower p-root come together.
+
+    That is so where a root moves by more than a part of its distance to the other side.
+    """
+    before, after = z[:-1], z[1:]
+    out = np.zeros(len(after), bool)
+    for one, other in ((before, after), (after, before)):
+        for k in range(z.shape[1]):
+            rest = range(up, z.shape[1]) if k < up else range(up)
+            room = np.full(len(after), np.inf)
+            for j in rest:
+                room = np.minimum(room, np.abs(one[:, k] - one[:, j]))
+            out |= ~(_nearest(one[:, k], other) < _SIDES * room)
+    return out
+
+
+def moved_between(z: Any, weight: Reals) -> Reals:
+    """The largest move of a p-root from each point to the next; weight: of each root at the later points."""
+    before, after = z[:-1], z[1:]
+    out = np.zeros(len(after))
+    for k in range(z.shape[1]):
+        out = np.maximum(out, _nearest(after[:, k], before) * weight[:, k])
+    return out
+
+
+def felt(z: Any, shortest: Reals, longest: Reals) -> Any:
+    """The largest ξ |e^{zξ}| over the distances between these: how much a move of a root turns what it adds to G."""
+    decay = np.abs(z.real)
+    with np.errstate(all="ignore"):
+        xi = np.clip(1 / decay, np.minimum(shortest, longest)[:, None], longest[:, None])
+        return xi * np.exp(-decay * xi)
+
+
+def _nearest(one: Any, other: Complexes) -> Any:
+    out = np.abs(one - other[:, 0])
+    for j in range(1, other.shape[1]):
+        out = np.minimum(out, np.abs(one - other[:, j]))
     return out

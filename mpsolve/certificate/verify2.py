@@ -1130,16 +1130,17 @@ def contraction(w: Sequence[Any], inverse: Any, tiny: Any) -> tuple[list[Any], l
     β is found by iteration; what counts is the last inequality. The wider of two joins more neighbours.
     """
 
-    def image(beta: list[Any]) -> list[Any]:
+    def image(beta: list[Any]) -> tuple[list[Any], bool]:
         s = (inverse * arb_mat(len(w), 1, beta)).entries() if w else []
-        return [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)] if all(y < 0.5 for y in s) else [arb("inf")]
+        tau = [(x / (1 - y)).upper() for x, y in zip(w, s, strict=True)] if all(y < 1 for y in s) else [arb("inf")]
+        return tau, all(y < 0.5 for y in s) and all(map(lt, tau, beta))
 
     beta = [(x * 1.2 + tiny).upper() for x in w]
     for _ in range(10):
-        tau = image(beta)
-        if all(map(lt, tau, beta)):
+        tau, holds = image(beta)
+        if holds:
             wide = [(x * 2).upper() for x in beta]
-            return (wide if all(map(lt, image(wide), wide)) else beta), tau
+            return (wide if image(wide)[1] else beta), tau
         if not tau[0].is_finite():
             return None
         beta = [(x * 1.15 + tiny).upper() for x in tau]
@@ -1928,20 +1929,25 @@ def hermitian(F: Form, index: Sequence[Sequence[int]], turns: Sequence[Any]) -> 
 def definite(H: Sequence[Any], E: Any) -> bool:
     """Whether H_0 + Σ ε_k H_k + R > 0 is proved for all |ε_k| ≤ 1 and all Hermitian |R| ≤ E entry by entry.
 
-    R ≥ −diag(row sums of E) (Gershgorin); the (ε_k) at which the rest is > 0 are a convex set: corners are enough.
+    The (ε_k) at which it is > 0 with one R are a convex set: corners C are enough. C > 0 by its pivots, and C + sR is
+    regular for 0 ≤ s ≤ 1: so it stays > 0.
     """
-    n, (first, *others) = E.nrows(), H
+    first, *others = H
     for a in others[CORNERS:]:
         E = E + moduli(a)
-    lost = (E * arb_mat(n, 1, [1] * n)).entries()
-    least = first - acb_mat([[lost[i] if i == j else 0 for j in range(n)] for i in range(n)])
-    ends = [least]
+    ends = [first]
     for a in others[:CORNERS]:
-        ends = [x for end in ends for x in (end + a, end - a)]
+        ends = [y for end in ends for y in (end + a, end - a)]
     try:
-        return all(x.real > 0 for end in ends for x in pivots(end))
+        return all(all(y.real > 0 for y in pivots(C)) and stays_regular(C, E) for C in ends)
     except Refused:
         return False
+
+
+def stays_regular(A: Any, E: Any) -> bool:
+    """Whether A + R is regular for all |R| ≤ E entry by entry: |X(A + R) − 1| contracts, X near 1/A."""
+    X = near_inverse(A)
+    return contracting(moduli(X * A - identity(A.nrows())) + moduli(X) * E)
 
 
 @dataclass(repr=False, eq=False)
@@ -2395,6 +2401,28 @@ def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: 
     else:
         number = turned / (2 * pi) if region.kind == "rectangle" else -turned / pi
     return whole(number)
+
+
+def check_behind(vehicle: Bodies, first: Mark) -> None:
+    """No root in Im q < 0: no wave runs ahead of the one place that is touched (SPEC2, section 5)."""
+    require(first.known.nodes.up == 0, "waves run ahead of the contacts")
+    require(len(vehicle.sites) == 1, "the track is touched at several places")
+    nc = vehicle.B.ncols()
+    forces = vehicle.B.tolist() + [
+        [fmpq(int(i == j and bool(h))) for j in range(nc)] for i, h in enumerate(vehicle.h)
+    ]
+    require(fmpq_mat(forces).rank() == nc, "contacts share a force that a rail at rest does not determine")
+
+
+def count_behind(walker: Walker, region: Region, values: Any, start: Any, track: Track) -> int:
+    """The number of roots in a half-plane, or below a height, where none is in Im q < 0."""
+    require(region.kind in ("unstable", "below"), "this region needs no theorem")
+    paths = read_paths(values, "link turn" if region.kind == "below" else "")
+    if not paths:
+        return 0
+    disc = replace(region, kind="below disc")
+    check_paths(disc, paths, start)
+    return count_roots(walker, disc, paths, None, track)
 
 
 # --- the whole sheet --------------------------------------------------------------------------------------
@@ -2999,6 +3027,11 @@ def spectrum(content: dict[str, Any]) -> str:
             require(content["theorem"] is None, "at rest no theorem is needed")
             check_passive_track(track)
             number = 0
+        elif content["theorem"] == {"half": "behind"}:
+            check_no_cut(track, region.height)
+            walker.begin(start)
+            check_behind(vehicle, walker.marks[fmpq(0), -start])
+            number = count_behind(walker, region, content["paths"], start, track)
         else:
             paths = read_paths(content["paths"], "link turn" if track.v == 0 else KINDS[region.kind])
             check_no_cut(track, region.height)
@@ -3042,7 +3075,7 @@ def words(content: Any, track: Track, vehicle: Bodies, region: Region, roots: Se
         sign = "±" if root.pair else ""
         more = f" ({root.multiplicity} roots)" if root.multiplicity > 1 else ""
         axis = " (imaginary)" if not root.pair and root.z[0] == 0 and root.multiplicity == 1 else ""
-        said.append(f"  q = {sign}{x:.15g}{y:+.15g}i within {float(arb(root.radius)):.2g}{more}{axis}")
+        said.append(f"  q ≈ {sign}{x:.15g}{y:+.15g}i, in a ball of radius {two_digits(root.radius)}{more}{axis}")
     if vehicle.neutral:
         said.append(f"  and {vehicle.neutral} neutral at q = 0 (a coordinate without spring or contact), named apart")
     if vehicle.unfelt:
@@ -3056,6 +3089,11 @@ def words(content: Any, track: Track, vehicle: Bodies, region: Region, roots: Se
         left = " + ".join(f"({polynomial_words(x)}) u{j + 1}" for j, x in enumerate(row) if x)
         said.append(f"  {left} = {'load' if k == track.loaded else '0'}")
     return "\n".join([*said, f"  velocity {track.v}; {vehicle_words(content['equations']['vehicle'])}"])
+
+
+def two_digits(radius: Any) -> str:
+    """Not less than a radius > 0, however small it is."""
+    return str((arb(radius) * 1.06).str(2, radius=False))
 
 
 def vehicle_words(value: Any) -> str:

@@ -30,6 +30,16 @@ Joined = Callable[[Sequence[Any]], Any]
 arrays_joined = partial(np.concatenate, axis=-1)
 
 
+def distances_of(
+    places: Sequence[Any], others: Sequence[Any] | None = None
+) -> tuple[Any, tuple[tuple[int, ...], ...]]:
+    """(the different x − y of places x and y, ascending; of each pair the number of its own). others: the y."""
+    apart = [[x - y for y in (places if others is None else others)] for x in places]
+    distances = sorted({x for row in apart for x in row})
+    number = {x: k for k, x in enumerate(distances)}
+    return tuple(distances), tuple(tuple(number[x] for x in row) for row in apart)
+
+
 @frozen
 class Direct:
     """Contact `contact` moves with body `body` alone: Bᵀ has the single entry `b` there."""
@@ -72,10 +82,7 @@ class Bordering:
     def of(given: Reduced | Family, eliminate: bool = True, push: Any = None, waves: int = 0) -> Bordering:
         """push: B in the rows of bodies, where those are scaled; as it is if left out."""
         places = [given.places[k] for k in given.index]
-        apart = [[x - y for y in places] for x in places]
-        distances = sorted({x for row in apart for x in row})
-        number = {x: k for k, x in enumerate(distances)}
-        which = tuple(tuple(number[x] for x in row) for row in apart)
+        distances, which = distances_of(places)
         direct = direct_contacts(given) if eliminate else ()
         gone = {d.body for d in direct}
         kept = tuple(i for i in range(len(given.B)) if i not in gone)
@@ -84,7 +91,7 @@ class Bordering:
             tuple(tuple((f and found.setdefault(f, len(found)), g) for f, g in cell) for cell in row)
             for row in _rows(given, (direct, kept), push or given.B, which, waves)
         ]
-        return Bordering(tuple(found), tuple(distances), which, direct, kept, waves, tuple(rows))
+        return Bordering(tuple(found), distances, which, direct, kept, waves, tuple(rows))
 
     @cached_property
     def signs(self) -> list[int]:

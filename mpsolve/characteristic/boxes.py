@@ -17,6 +17,7 @@ import numpy as np
 from mpsolve.characteristic.discs import Splittings, contraction, linked, side_nodes
 from mpsolve.characteristic.start import start
 from mpsolve.numbers.arrays import Complexes, Integers, Reals
+from mpsolve.numbers.float64 import gaps
 from mpsolve.numbers.forms import Forms
 from mpsolve.numbers.jets import TINY, UP, U
 from mpsolve.numbers.quadratic import Quadratic
@@ -130,7 +131,7 @@ class FreeTrack:
         z0, low = self.nodes(D)
         lead = D[:, n]
         z = _spread(D, z0, low, up)
-        value, size = at(D, z), gaps(z)
+        value, size = at(D, z), gaps(z, 1)
         box, tight, done = contraction(_weights(value, size, low), size, up)
         thin = _thin(still, z0, low, up)
         zero = np.zeros(boxes.count)
@@ -156,13 +157,6 @@ def at(polynomial: Quadratic, z: Any) -> Quadratic:
     return Quadratic(k, e * UP + TINY, polynomial.m)
 
 
-def gaps(z: Any) -> Any:
-    """|z_k − z_l|, 1 on the diagonal."""
-    gap = np.abs(z[:, :, None] - z[:, None, :])
-    gap[:, np.arange(z.shape[1]), np.arange(z.shape[1])] = 1
-    return gap
-
-
 def _weights(value: Quadratic, size: Reals, low: Reals) -> Reals:
     """Bounds of |W_k|, ∞ where there is none."""
     below = size.prod(2) * low[:, None]
@@ -172,7 +166,7 @@ def _weights(value: Quadratic, size: Reals, low: Reals) -> Reals:
 
 def _thin(still: Quadratic, z: Any, low: Reals, up: int) -> Splittings:
     """The pair at the middles of the boxes."""
-    size, zero = gaps(z), np.zeros(len(z))
+    size, zero = gaps(z, 1), np.zeros(len(z))
     box, tight, done = contraction(_weights(at(still, z), size, low), size, up)
     return Splittings(zero, zero, z, up, box, tight, done, zero, zero)
 
@@ -187,7 +181,7 @@ def _told_apart(z: Any, up: int, tight: Reals) -> Any:
 def _spread(D: Quadratic, z: Any, low: Reals, up: int) -> Any:
     """Nodes of one side that are closer than the box moves their roots are put that far apart."""
     z = z.copy()
-    size, moved = gaps(z), at(D, z).spread
+    size, moved = gaps(z, 1), at(D, z).spread
     for side in (range(up), range(up, z.shape[1])):
         for i in side:
             for k in range(i + 1, side.stop):

@@ -15,6 +15,7 @@ import numpy as np
 
 from mpsolve.characteristic.boxes import Wave, at
 from mpsolve.numbers.arrays import Complexes, Reals, Truths
+from mpsolve.numbers.float64 import gaps
 from mpsolve.numbers.jets import TINY, UP, U, exponential
 from mpsolve.numbers.quadratic import Quadratic
 
@@ -97,8 +98,7 @@ def circles_of(wave: Wave, own: Truths, reach: Any, off_axis: bool = False) -> C
     z, other = wave.z[:, own], wave.z[:, ~own]
     count = z.shape[1]
     far = np.abs(z[:, :, None] - other[:, None, :]).min(2) if other.shape[1] else np.full(z.shape, np.inf)
-    gap = np.abs(z[:, :, None] - z[:, None, :])
-    near = gap <= _TOGETHER * np.minimum(far[:, :, None], far[:, None, :])
+    near = gaps(z, 0) <= _TOGETHER * np.minimum(far[:, :, None], far[:, None, :])
     for _ in range(max(count - 1, 0).bit_length()):
         near = (near.astype(float) @ near.astype(float)) > 0
     active = near.argmax(2) == np.arange(count)

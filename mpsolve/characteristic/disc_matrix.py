@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.bordering import Bordering
+from mpsolve.characteristic.bordering import Bordering, distances_of
 from mpsolve.characteristic.discs import Splittings, split
 from mpsolve.characteristic.residues import receptances, waves
 from mpsolve.characteristic.table import Table
@@ -55,11 +55,8 @@ class Arrays:
     @cached_property
     def distances(self) -> tuple[Reals, Integers]:
         """The signed distances of pairs of places, once each, and for each pair of places its number."""
-        places = self.reduced.places
-        exact = sorted({a - b for a in places for b in places})
-        number = {x: k for k, x in enumerate(exact)}
-        pairs = np.array([[number[a - b] for b in places] for a in places])
-        return np.array([nearest(x) for x in exact]), pairs
+        exact, pairs = distances_of(self.reduced.places)
+        return np.array([nearest(x) for x in exact]), np.array(pairs)
 
     @property
     def shift(self) -> complex:

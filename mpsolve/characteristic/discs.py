@@ -51,7 +51,7 @@ def split(table: Table, m: Complexes, r: Reals, up: int, nodes: Complexes | None
         T, error = table.in_time(m)
         z = side_nodes(T, up) if nodes is None else _kept_apart(nodes, up)
         n = z.shape[1]
-        c, lost = table.at(z, T, error)
+        c, lost = table.at(z, T, error, 1)
         gap = z[:, :, None] - z[:, None, :]
         gap[:, np.arange(n), np.arange(n)] = 1
         powers = powers_up_to(r, T.shape[1])
@@ -115,7 +115,11 @@ def side_nodes(T: Complexes, up: int) -> Any:
 
 def _kept_apart(z: Any, up: int) -> Any:
     """The nodes, moved a little where two nearly coincide."""
-    z, size = z.copy(), np.abs(z)
+    size = np.abs(z)
+    gap = np.abs(z[:, :, None] - z[:, None, :]) + np.diag(np.full(z.shape[1], np.inf))
+    if not (gap < 1e-5 * size.max(1)[:, None, None]).any():
+        return z
+    z = z.copy()
     for i in range(z.shape[1]):
         for k in range(i + 1, z.shape[1]):
             scale = np.maximum(np.maximum(size[:, i], size[:, k]), 1e-12 * size.max(1))
@@ -136,9 +140,8 @@ def linked(disc: Splittings, thin: Splittings) -> Any:
             gap = z[:, :, None] - z[:, None, :]
             gap[:, np.arange(count), np.arange(count)] = 1
             to = np.abs(z[:, :, None] - w[:, None, :])
-            value = to.prod(2)
-            for i in range(count):
-                value = value + tight[:, i, None] * np.delete(to, i, 2).prod(2)
+            others = np.where(np.eye(count, dtype=bool), 1, to[:, :, None, :]).prod(3)  # without the i-th
+            value = to.prod(2) + (tight[:, None, :] * others).sum(2)
             below = np.abs(gap).prod(2)
             value = value / below * (1 + 128 * count * U) * UP + TINY
             ok = ok & ((value < disc.box[:, part]) & (below > TINY)).all(1)

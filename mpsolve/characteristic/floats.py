@@ -13,14 +13,14 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.characteristic.bordering import Bordering
+from mpsolve.characteristic.bordering import Bordering, distances_of
 from mpsolve.characteristic.follow import cancelled, followed, upper_first
 from mpsolve.characteristic.receptance import by_companions
 from mpsolve.characteristic.splitting import float_splitting, monic, upper_count
 from mpsolve.characteristic.symbol import Coefficients, Symbols, Terms, horner
 from mpsolve.frozen import frozen
 from mpsolve.numbers.arrays import Complexes, Truths
-from mpsolve.numbers.float64 import Float64, log_slope
+from mpsolve.numbers.float64 import Float64, gaps, log_slope
 from mpsolve.numbers.jets import U
 from mpsolve.problem.reduced import Guide, Reduced
 
@@ -73,6 +73,11 @@ class Receptance:
                     row[near] = values
         return G, G_sigma
 
+    def between(self, sigma: Any, places: Sequence[Fraction]) -> Any:
+        """G between the places, shape (len(σ), places, places)."""
+        distances, which = distances_of(places)
+        return np.moveaxis(np.array(self(sigma, distances, slope=False)[0])[np.array(which)], -1, 0)
+
     def doubtful(self, sigma: Any, farthest: float) -> Truths:
         """Where p-roots may be off by so much that G is wrong in the sixth digit as far as `farthest`; an estimate.
 
@@ -82,7 +87,7 @@ class Receptance:
         with np.errstate(all="ignore"):
             local, z, up = self.symbols.at(_K, sigma[:, None]), self.roots(sigma), self.upper
             off = 16 * U * horner([abs(c) for c in local.D], abs(z)) / abs(horner(local.D_P, z))
-            apart = np.abs(z[:, :, None] - z[:, None, :]) + np.where(np.eye(z.shape[1]), np.inf, 0)
+            apart = gaps(z)
             beside = np.abs(z.real) <= 100 * off + _TIE * np.abs(z).max(-1, keepdims=True, initial=0)
             unclear = (beside & (off > _WRONG * apart.min(-1, initial=np.inf))).any(-1)
             sizes = [np.abs(c) for side in (z[:, :up], z[:, up:]) for c in monic(list(side.T))]

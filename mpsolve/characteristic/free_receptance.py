@@ -8,10 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.characteristic.bordering import distances_of
 from mpsolve.characteristic.boxes import Boxes, FreeTrack, Wave
 from mpsolve.characteristic.circles import by_circles
 from mpsolve.characteristic.free_roots import Roots, roots_over
 from mpsolve.numbers.arrays import Complexes, Integers, Reals, Truths
+from mpsolve.numbers.float64 import gaps
 from mpsolve.numbers.forms import Forms
 from mpsolve.numbers.jets import TINY, UP
 from mpsolve.numbers.quadratic import Quadratic
@@ -61,11 +63,9 @@ class FreeReceptance:
     @cached_property
     def distances(self) -> tuple[Forms, Truths, Integers]:
         """(the different distances as forms, which are at least 0, for each pair of places the number of its own)."""
-        places, variables = self.family.places, self.track.variables
-        exact = sorted({a - b for a in places for b in places})
-        which = np.array([[exact.index(a - b) for b in places] for a in places])
-        forms = Forms.of([{(0, *e): c for e, c in x} for x in exact], variables)
-        return forms, np.arange(len(exact)) >= which[0, 0], which
+        exact, which = distances_of(self.family.places)
+        forms = Forms.of([{(0, *e): c for e, c in x} for x in exact], self.track.variables)
+        return forms, np.arange(len(exact)) >= which[0][0], np.array(which)
 
     def __call__(self, boxes: Boxes) -> Receptances:
         """Over each box."""
@@ -139,9 +139,8 @@ def grown(phase: Quadratic, weight: Quadratic) -> Quadratic:
 
 def may_meet(z: Any, up: int) -> Any:
     """Boxes with two roots of one side so close that they may meet, in floats."""
-    gap = np.abs(z[:, :, None] - z[:, None, :])
-    upper = np.arange(z.shape[1]) < up
-    same = (upper[:, None] == upper[None, :]) & ~np.eye(z.shape[1], dtype=bool)
+    gap, upper = gaps(z), np.arange(z.shape[1]) < up
+    same = upper[:, None] == upper[None, :]
     other = np.where(upper[:, None] != upper[None, :], gap, np.inf).min(2)
     near = gap < _TOGETHER * np.minimum(other[:, :, None], other[:, None, :])
     return (near & same).any((1, 2))

@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.numbers.arrays import Reals, Truths
+from mpsolve.numbers.float64 import gaps
 from mpsolve.numbers.jets import TINY, UP, U
 from mpsolve.numbers.quadratic import Quadratic, pairs
 
@@ -55,7 +56,7 @@ def roots_over(D: Quadratic, N: Quadratic, z: Any, low: Reals, up: int | None) -
     k = delta.k.copy()
     k[0] += z
     P = Quadratic(k, eps * UP + 4 * U * np.abs(k[0]) + TINY, delta.m)
-    off, gap = np.abs(delta.k[0]) + eps, _gaps(z)
+    off, gap = np.abs(delta.k[0]) + eps, gaps(z)
     different = (gap > (off[:, :, None] + off[:, None, :]) * UP).all(2)
     good = alone & different & (low > TINY)[:, None]
     if up is not None:
@@ -147,9 +148,3 @@ def _sided(z: Any, off: Reals, up: int) -> Any:
     """Where the root at the middle, within `off` of z, has Re P < 0 if it is one of the first `up`, else Re P > 0."""
     sign = np.where(np.arange(z.shape[1]) < up, -1.0, 1.0)
     return sign * z.real > off * UP
-
-
-def _gaps(z: Any) -> Any:
-    gap = np.abs(z[:, :, None] - z[:, None, :])
-    gap[:, np.arange(z.shape[1]), np.arange(z.shape[1])] = np.inf
-    return gap

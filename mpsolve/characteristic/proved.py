@@ -8,10 +8,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from mpsolve.characteristic.bordering import Bordering
-from mpsolve.characteristic.factors import Factors, factor_balls, sides
 from mpsolve.characteristic.receptance import by_companions
 from mpsolve.characteristic.roots import Orders, apart, float_roots, root_balls, sharp_roots
-from mpsolve.characteristic.splitting import Splitting, monic, upper_count
+from mpsolve.characteristic.splitting import Factors, Splitting, factor_balls, monic, sides, upper_count
 from mpsolve.characteristic.spread import Spread
 from mpsolve.characteristic.symbol import Coefficients, Symbols, Terms
 from mpsolve.errors import PrecisionError

@@ -120,6 +120,8 @@ def _sides_told_apart(s: Splittings) -> tuple[Any, Any]:
         one = (gap > 0).all(2) & (g < 1) & (s.tight < e * (1 - g) * (1 - 8 * U))
         eps = np.where(done, eps, e)
         done |= one
+        if done.all():
+            break
     apart = (size * (1 - 8 * U) > eps[:, :, None] + eps[:, None, :]).all((1, 2))
     return eps, done.all(1) & apart
 

@@ -58,15 +58,19 @@ class Table:
             A[:, j, :] = sizes[:, : len(w)] @ (np.abs(self.d[:, j:]) * w).T
         return T, A * self._loss * UP + TINY
 
-    def at(self, z: Any, T: Any, error: Reals) -> tuple[Any, Reals]:
-        """c[:, k, i, j], the coefficient of e^i t^j at P = z + e, and a bound of its error; z: (discs, nodes)."""
+    def at(self, z: Any, T: Any, error: Reals, orders: int | None = None) -> tuple[Any, Reals]:
+        """c[:, k, i, j], the coefficient of e^i t^j at P = z + e, and a bound of its error; z: (discs, nodes).
+
+        orders: how many i are wanted, the lowest first; None: all.
+        """
         n = self.d.shape[0]
+        wanted = n if orders is None else min(orders, n)
         weights, powers = _binomials(n), _powers(z, n)
         sizes = np.abs(powers)
         absolute = np.abs(T) + error / self._loss
-        c = np.empty((*z.shape, n, T.shape[1]), np.result_type(z, T))
+        c = np.empty((*z.shape, wanted, T.shape[1]), np.result_type(z, T))
         size = np.empty(c.shape)
-        for i in range(n):
+        for i in range(wanted):
             w = weights[i, i:]
             c[:, :, i, :] = powers[:, :, : len(w)] @ np.swapaxes(T[:, :, i:] * w, 1, 2)
             size[:, :, i, :] = sizes[:, :, : len(w)] @ np.swapaxes(absolute[:, :, i:] * w, 1, 2)

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.characteristic.bordering import distances_of
 from mpsolve.characteristic.disc_matrix import Arrays
 from mpsolve.characteristic.discs import Splittings, split
 from mpsolve.characteristic.path import discs
@@ -57,9 +58,7 @@ class LatticeArrays(Arrays):
 
     def _sums(self, weight: Jet, P: Jet, up: int, z: Complexes, off: Reals) -> Jet:
         """Ĝ at each distance (lattice.py), shape (discs, distances)."""
-        places = self.reduced.places
-        exact = sorted({a - b for a in places for b in places})
-        sides = []
+        exact, sides = distances_of(self.reduced.places)[0], []
         for part, ahead in ((slice(0, up), True), (slice(up, None), False)):
             step, p = nearest(self.step if ahead else -self.step), P[:, part]
             ratio = (p * step).exp() * _power(z, off, [-1 if ahead else 1], P.r)

@@ -14,6 +14,7 @@ import numpy as np
 from mpsolve.characteristic.floats import Floats
 from mpsolve.endless.bloch import Bloch
 from mpsolve.numbers.arrays import Complexes, Reals
+from mpsolve.numbers.float64 import refined
 
 _POINTS = 800
 _STEP = 0.5  # of each part of the argument: larger ones make a count unsafe
@@ -88,18 +89,13 @@ def growing_in_floats(bloch: Bloch, count: int, reach: float, depth: float) -> i
             np.linspace(corner, complex(0, -depth), points // 4)[1:],
         ]
     )
-    turns = train_piece(bloch, count, 1j * path).turns
-    parts, times = np.array([part for part, _ in turns]), np.array([k for _, k in turns])
-    steps = _steps(parts)
-    for _ in range(_ROUNDS):
-        wide = np.flatnonzero((np.abs(steps) > _STEP).any(0))
-        if not len(wide):
-            break
-        between = (path[wide] + path[wide + 1]) / 2
-        more = np.array([part for part, _ in train_piece(bloch, count, 1j * between).turns])
-        path, parts = np.insert(path, wide + 1, between), np.insert(parts, wide + 1, more, axis=1)
-        steps = _steps(parts)
-    return round(-float(times @ steps.sum(1)) / np.pi)
+    times = np.array([k for _, k in train_piece(bloch, count, 1j * path[:1]).turns])
+
+    def parts(at: Any) -> Any:
+        return np.array([part for part, _ in train_piece(bloch, count, 1j * at).turns])
+
+    found = refined(parts, path, lambda turns: (np.abs(_steps(turns)) > _STEP).any(0), _ROUNDS)[1]
+    return round(-float(times @ _steps(found).sum(1)) / np.pi)
 
 
 def _steps(parts: Reals) -> Any:

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.characteristic.bordering import distances_of
 from mpsolve.characteristic.boxes import Boxes, FreeTrack, Wave
 from mpsolve.characteristic.circles import NOISE, aliasing, circles_of, samples, summed
 from mpsolve.characteristic.free_matrix import FreeMatrix
@@ -47,8 +48,8 @@ class FreeRow:
     @cached_property
     def distances(self) -> tuple[tuple[Fraction, ...], Integers]:
         """(the different distances, for each pair of places the number of its own)."""
-        exact = sorted({a - b for a in self.places for b in self.places})
-        return tuple(exact), np.array([[exact.index(a - b) for b in self.places] for a in self.places])
+        exact, which = distances_of(self.places)
+        return exact, np.array(which)
 
 
 @dataclass(frozen=True)

@@ -13,12 +13,11 @@ from typing import Any
 
 from mpsolve.endless.axis import closest, gains
 from mpsolve.endless.bloch import Bloch
-from mpsolve.endless.convective import Covered, cover_row
 from mpsolve.endless.growing import find_growing
 from mpsolve.endless.infinite_train import EVALUATIONS, InfiniteTrain, decide, long_trains_grow, reach_of
 from mpsolve.endless.long_trains import LongTrains, prove_long
 from mpsolve.endless.row import Row, row_of
-from mpsolve.endless.row_scope import row_scope
+from mpsolve.endless.row_scope import Covered, cover_row, row_scope
 from mpsolve.endless.seek import first_where, threshold_of
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import arb, precision, rational_ball

@@ -21,7 +21,7 @@ def prove(problem: Problem, seconds: float, axes: tuple[str, ...], give: Give, t
     """Certify, then prove a region of the two parameters `axes` round the problem if it is stable."""
     from mpsolve.certificate.certify import certify
     from mpsolve.proof.effort import Effort
-    from mpsolve.ranges.region import stable_region
+    from mpsolve.ranges.margin import stable_region
 
     answer = certify(problem, digits=15, effort=Effort(seconds=seconds), progress=tell)
     give("answer", answer)

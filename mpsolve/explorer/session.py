@@ -13,7 +13,7 @@ from mpsolve.batch.view import View, Window, look
 from mpsolve.errors import InputError, MpsolveError
 from mpsolve.explorer.charting import Chart, ProvedPoint, chart_of
 from mpsolve.explorer.history import History, Waiting
-from mpsolve.explorer.moving import motion_pictures, root_picture
+from mpsolve.explorer.player import motion_pictures, root_picture
 from mpsolve.explorer.proving import Proving, report
 from mpsolve.numbers.units import in_unit
 from mpsolve.pictures.plane import plane_picture

@@ -24,7 +24,7 @@ from mpsolve.problem.case import Case
 from mpsolve.problem.load import loads_of
 from mpsolve.problem.physical import PhysicalCase
 from mpsolve.vehicles.load import Load
-from mpsolve.vibration.case_units import units_of
+from mpsolve.vibration.case_motion import units_of
 
 LONGEST_STEP = 0.5
 SHORTEST_WAVE = 2 / 3

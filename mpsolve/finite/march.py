@@ -1,7 +1,7 @@
 """The rearranged equations (52) marched in time for any vehicle: one linear contact force a contact and step.
 
-Over a step every contact force is linear in time. Modes and vehicle answer it exactly (numbers.wave_tables,
-coupling). The forces are such that rail and vehicle move alike, in the mean over the step and against P₁, or, where
+Over a step every contact force is linear in time. Modes and vehicle answer it exactly (`exponentials`,
+`carriage`). The forces are such that rail and vehicle move alike, in the mean over the step and against P₁, or, where
 the contact has a compliance H, that the compression e of Bᵀy − w, of which e_θ is so tested, obeys e = H f in the
 mean and against P₁. Contacts and springs add no energy and take none, at any step. A step costs O(contacts · modes).
 """
@@ -13,11 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from mpsolve.finite.carriage import Carriage
-from mpsolve.finite.coupling import VehicleTables, rough_rates, vehicle_tables
-from mpsolve.finite.exponentials import Exponentials
+from mpsolve.finite.carriage import Carriage, VehicleTables, rough_rates, vehicle_tables
+from mpsolve.finite.exponentials import Exponentials, wave_tables
 from mpsolve.numbers.arrays import Complexes, Reals
-from mpsolve.numbers.wave_tables import wave_tables
 from mpsolve.proof.effort import Effort
 from mpsolve.vehicles.loads import Outer
 from mpsolve.vibration.forcing import Irregularity
@@ -172,7 +170,7 @@ class _Rail:
     def __init__(self, setting: Setting, h: float) -> None:
         track = setting.track
         gaps = setting.contacts - setting.contacts[0]
-        table = wave_tables(track.waves(setting.length, setting.velocity), gaps, h, 1, 1)
+        table = wave_tables(track.waves(setting.length, setting.velocity), gaps, h)
         shape = track.rate.shape
         self._h, self._weight, self._direct = h, track.weight, h * table.direct
         self._decay = table.decay.reshape(shape)

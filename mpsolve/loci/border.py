@@ -18,7 +18,7 @@ from mpsolve.outcome import Reason
 from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered
-from mpsolve.ranges.edge import REAL_AXIS, Edge
+from mpsolve.ranges.enclosed import REAL_AXIS, Edge
 from mpsolve.ranges.enclosed import Crossing as Scaled
 from mpsolve.ranges.scope import Scope
 from mpsolve.ranges.search import Search

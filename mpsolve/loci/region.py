@@ -18,7 +18,7 @@ from mpsolve.numbers.model import rational, shown
 from mpsolve.numbers.plain import float_beside
 from mpsolve.problem.family import Family
 from mpsolve.problem.line import moved_in_s
-from mpsolve.ranges.edge import REAL_AXIS, Edge
+from mpsolve.ranges.enclosed import REAL_AXIS, Edge
 from mpsolve.ranges.premises import require_stable_track
 from mpsolve.ranges.scope import Scope
 from mpsolve.spectrum.regions import Below, HalfPlane

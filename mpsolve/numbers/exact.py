@@ -14,15 +14,15 @@ from fractions import Fraction
 from functools import total_ordering
 from typing import Any, NoReturn, TypeAlias, final
 
-from flint import arb, fmpq
-
 from mpsolve.errors import InputError
 from mpsolve.numbers import written
-from mpsolve.numbers.root4 import decimal_root, rational_root, raw_root
+from mpsolve.numbers.balls import precision, rational_ball
+from mpsolve.numbers.multiprecision import middle
+from mpsolve.numbers.root4 import decimal_root, rational_root
 
 Number: TypeAlias = "Exact | int | float | str | Fraction | Decimal"
 
-_FLOAT_DIGITS = 20
+_FLOAT_DIGITS, _GUARD_BITS = 20, 20
 
 
 @final
@@ -221,17 +221,17 @@ class Exact:
                 return text
         return str(self)
 
-    def ball(self) -> arb:
+    def ball(self) -> Any:
         """Return a ball that contains x, at the present `flint.ctx.prec`."""
         if self._rational is not None:
-            return arb(fmpq(self._rational.numerator, self._rational.denominator))
-        radicand = self.fourth_power
-        root = arb(fmpq(radicand.numerator, radicand.denominator)).root(4)
+            return rational_ball(self._rational)
+        root = rational_ball(self.fourth_power).root(4)
         return -root if self._signed < 0 else root
 
     def mpf(self, context: Any) -> Any:
         """Return x within one unit in the last place of `context`, an mpmath multiprecision context."""
-        return context.make_mpf(raw_root(self._signed, self._rational, context.prec))
+        with precision(context.prec + _GUARD_BITS):
+            return +middle(context, self.ball())
 
 
 def exact_list(values: Iterable[Number] | Number, key: str) -> tuple[Exact, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -118,6 +118,13 @@ def companions(D: Any) -> Any:
     return C
 
 
+def gaps(z: Any, own: float = np.inf) -> Any:
+    """The distances of the numbers of each row from each other; `own`: of each from itself."""
+    gap = np.abs(z[:, :, None] - z[:, None, :])
+    gap[:, range(z.shape[1]), range(z.shape[1])] = own
+    return gap
+
+
 def polynomial_and_slope(D: Any, z: Complexes) -> tuple[Complexes, Complexes]:
     """Values and slopes in z at several z for each polynomial Σ D[:, i] z^i; z of shape (rows, …)."""
     value, slope = np.broadcast_to(D[:, -1:], z.shape), np.zeros_like(z)
@@ -125,3 +132,18 @@ def polynomial_and_slope(D: Any, z: Complexes) -> tuple[Complexes, Complexes]:
         slope = slope * z + value
         value = value * z + D[:, i : i + 1]
     return value, slope
+
+
+def refined(f: Callable[[Any], Any], points: Any, wide: Callable[[Any], Any], rounds: int) -> tuple[Any, Any, bool]:
+    """(points, f there along the last axis, whether no step is wide any more): steps that are so often halved.
+
+    wide: of the values, which steps between neighbours are too long.
+    """
+    values = f(points)
+    for _ in range(rounds):
+        at = np.flatnonzero(wide(values))
+        if not len(at):
+            return points, values, True
+        between = (points[at] + points[at + 1]) / 2
+        points, values = np.insert(points, at + 1, between), np.insert(values, at + 1, f(between), axis=-1)
+    return points, values, not wide(values).any()

@@ -5,6 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from mpsolve.numbers.balls import arb, precision
+
+_SPARE = 16  # bits
+
 
 def context(digits: int) -> Any:
     """mpmath with so many decimal digits."""
@@ -27,35 +31,20 @@ class Rule:
 
     def __init__(self, mp: Any, n: int) -> None:
         self.mp, self.n = mp, n
-        from numpy.polynomial.legendre import leggauss
-
-        pairs = [self._node(x) for x in leggauss(n)[0]]
-        self.nodes = [x for x, _ in pairs]
-        self.weights = [w for _, w in pairs]
+        with precision(mp.prec + _SPARE):
+            pairs = [arb.legendre_p_root(n, k, weight=True) for k in range(n)]
+        self.nodes, self.weights = ([middle(mp, ball) for ball in balls] for balls in zip(*pairs, strict=True))
         rows = [self._polynomials(x) for x in self.nodes]
         self._to_series = [
             [(k + mp.mpf(1) / 2) * w * row[k] for w, row in zip(self.weights, rows, strict=True)] for k in range(n)
         ]
 
     def _polynomials(self, x: Any) -> list[Any]:
-        """P_0 … P_n at x."""
+        """P_0 … P_{n − 1} at x."""
         out = [self.mp.mpf(1), x]
-        for k in range(1, self.n):
+        for k in range(1, self.n - 1):
             out.append(((2 * k + 1) * x * out[k] - k * out[k - 1]) / (k + 1))
-        return out[: self.n + 1]
-
-    def _node(self, guess: float) -> tuple[Any, Any]:
-        x, slope = self.mp.mpf(guess), self.mp.mpf(1)
-        for _ in range(3 + int(self.mp.prec).bit_length()):
-            P = self._polynomials(x)
-            slope = self.n * (P[self.n - 1] - x * P[self.n]) / (1 - x * x)
-            step = P[self.n] / slope
-            x -= step
-            if abs(step) < self.mp.mpf(2) ** (-self.mp.prec // 2 - 8):  # Newton's next error is its square
-                break
-        P = self._polynomials(x)
-        slope = self.n * (P[self.n - 1] - x * P[self.n]) / (1 - x * x)
-        return x, 2 / ((1 - x * x) * slope * slope)
+        return out
 
     def series(self, values: Sequence[Any]) -> list[Any]:
         """Legendre coefficients of the polynomial through values at the nodes."""

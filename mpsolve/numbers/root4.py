@@ -1,13 +1,12 @@
-"""Fourth roots of rationals: those that are rational, and the others in so many digits or bits."""
+"""Fourth roots of rationals: those that are rational, and the others in so many digits."""
 
 from __future__ import annotations
 
 import math
 from decimal import MAX_EMAX, MIN_EMIN, ROUND_HALF_EVEN, Context, Decimal
 from fractions import Fraction
-from typing import Any
 
-_GUARD_BITS, _GUARD_DIGITS = 20, 6
+_GUARD_DIGITS = 6
 
 
 def rational_root(signed: Fraction) -> Fraction | None:
@@ -33,15 +32,3 @@ def decimal_root(signed: Fraction, rational: Fraction | None, digits: int) -> De
         return near
     near = context.sqrt(context.sqrt(near))
     return near.copy_negate() if signed < 0 else near
-
-
-def raw_root(signed: Fraction, rational: Fraction | None, precision: int) -> Any:
-    """The same as an mpmath raw number of `precision` bits, within one unit in the last place."""
-    from mpmath import libmp  # costs as much at start as the rest of this package
-
-    if rational is not None:
-        return libmp.from_rational(rational.numerator, rational.denominator, precision, "n")
-    fine = precision + _GUARD_BITS
-    size = libmp.from_rational(abs(signed.numerator), signed.denominator, fine)
-    root = libmp.mpf_nthroot(size, 4, fine)
-    return libmp.mpf_pos(libmp.mpf_neg(root) if signed < 0 else root, precision, "n")

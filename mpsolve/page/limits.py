@@ -16,9 +16,8 @@ from mpsolve.problem.problem import Problem
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval
 from mpsolve.ranges.default import velocity_ranges
-from mpsolve.ranges.margin import Margin, margin
+from mpsolve.ranges.margin import Margin, margin, stable_region
 from mpsolve.ranges.onset import Kind, onset
-from mpsolve.ranges.region import stable_region
 
 MASSES = (Fraction(1, 5), Fraction(4))
 """Factors on all masses between which the limits are sought."""

@@ -19,8 +19,8 @@ from mpsolve.problem.problem import Problem
 from mpsolve.ranges.onset import Kind
 from mpsolve.report.remedies import on_command_line
 from mpsolve.spectrum.spectrum import Root
-from mpsolve.vehicles.bounce import rigid_bounce
 from mpsolve.vehicles.load import GRAVITY
+from mpsolve.vehicles.loads import rigid_bounce
 from mpsolve.waves.speeds import SLOW_WAVES, slow_waves
 from mpsolve.waves.velocity import Kind as Kinds
 

@@ -16,8 +16,8 @@ from mpsolve.numbers.decimals import proved_digits
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.passivity.box import passive_beyond
+from mpsolve.passivity.decay import overtakes
 from mpsolve.passivity.envelope import Envelope
-from mpsolve.passivity.short_waves import overtakes
 from mpsolve.passivity.subject import Subject
 from mpsolve.problem.problem import Problem, require_problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
@@ -83,27 +83,21 @@ def passivity_band(problem: Problem) -> PassivityBand:
     reduced = reduce_problem(problem)
     if not problem.v:
         return PassivityBand(rational_ball(Fraction(0)), 0.0, Status.UNVERIFIED)
-    found = passive_beyond(Envelope(Subject.of_reduced(reduced), (), ()))
-    if found is None:
+    X = passive_beyond(Envelope(Subject.of_reduced(reduced), (), ()))
+    if X is None:
         fast = overtakes(reduced.guide, reduced.guide.v)
         stated = "the contacts run faster than short waves of the track" if fast else "no frequency is found"
         remedy = "lower the velocity" if fast else "give the track more damping, or the contacts more distance"
         return PassivityBand(None, _least(reduced, 1e3), Status.UNDECIDED, Reason("no-band", stated, {}, remedy))
     with precision(64):
-        value = rational_ball(Fraction(found.X) * reduced.frequency_unit)
-    return PassivityBand(value, _least(reduced, found.X), Status.UNVERIFIED)
+        value = rational_ball(Fraction(X) * reduced.frequency_unit)
+    return PassivityBand(value, _least(reduced, X), Status.UNVERIFIED)
 
 
 def _least(reduced: Reduced, X: float) -> float:
     """In floats: the largest q ≤ X, in the problem's units, at which −Im G has a negative eigenvalue."""
     q = np.geomspace(X * 1e-4, X, _SAMPLES)
-    receptance, places = Receptance(reduced.guide), reduced.places
-    G = np.empty((len(q), len(places), len(places)), complex)
-    distances = sorted({a - b for a in places for b in places})
-    known = dict(zip(distances, receptance(1j * q, distances, False)[0], strict=True))
-    for i, a in enumerate(places):
-        for j, b in enumerate(places):
-            G[:, i, j] = known[a - b]
+    G = Receptance(reduced.guide).between(1j * q, reduced.places)
     values = np.linalg.eigvalsh(-(G - np.swapaxes(G.conj(), 1, 2)) / 2j)
     bad = np.flatnonzero(values[:, 0] < -1e-12 * np.abs(values).max(1))
     return float(q[bad[-1]]) * float(reduced.frequency_unit) if len(bad) else 0.0

@@ -20,9 +20,8 @@ from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.float64 import distinct, short
-from mpsolve.passivity.decay import vanishes
+from mpsolve.passivity.decay import overtakes, vanishes
 from mpsolve.passivity.far import FarNumbers, prove_tail
-from mpsolve.passivity.short_waves import overtakes
 from mpsolve.proof.effort import Effort
 
 _NO_TAIL = {

@@ -17,9 +17,8 @@ from mpsolve.numbers.arrays import Integers, Reals, Truths
 from mpsolve.numbers.jets import TINY, UP, U
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.hermitian import Density, definite, positive
-from mpsolve.passivity.mesh import cells
 from mpsolve.passivity.power import value
-from mpsolve.passivity.subject import Subject
+from mpsolve.passivity.subject import Subject, cells
 
 SIDE = 12
 _CHUNK = 1 << 16  # cells that are looked at at once

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
-
 import numpy as np
 
 from mpsolve.numbers.arrays import Integers, Reals
@@ -19,46 +16,33 @@ _LOWEST = 1e-4  # of the far frequency
 _MOST = 4000  # boxes, about
 
 
-@dataclass(frozen=True)
-class PassiveBeyond:
-    """−Im G(q) is positive definite for all real q ≥ X and all parameters of the box; all scaled."""
+def passive_beyond(envelope: Envelope, halvings: int = _HALVINGS) -> float | None:
+    """The least X that is found: −Im G(q) is positive definite for all real q ≥ X and all parameters; scaled.
 
-    X: float
-    far: float
-    boxes: int
-
-
-def passive_beyond(
-    envelope: Envelope, box: tuple[Any, Any] | None = None, ceiling: float | None = None, halvings: int = _HALVINGS
-) -> PassiveBeyond | None:
-    """The least X that is found for the box (low, high) of parameters, that of the envelope if left out.
-
-    halvings: of a cell of frequencies, before it is left open: fewer take less time, and X is greater.
-    ceiling: an X that is known for the whole envelope (`far`), so that many boxes share it. None where the track
-    gives at high frequencies: contacts faster than short waves.
+    halvings: of a cell of frequencies, before it is left open: fewer take less time, and X is greater. None where
+    the track gives at high frequencies: contacts faster than short waves.
     """
-    low, high = (np.array(envelope.low), np.array(envelope.high)) if box is None else map(np.asarray, box)
-    top = far(envelope) if ceiling is None else ceiling
+    top = far(envelope)
     if top is None:
         return None
     X, tried, open_ = top, 0, False
     width = 16
     while not open_ and top * _LOWEST < X and tried < _MOST:
         ends = X * _RATIO ** -np.arange(width + 1.0)
-        found, open_, spent = _covered(envelope, low, high, ends, halvings)
+        found, open_, spent = _covered(envelope, ends, halvings)
         tried += spent
         X, width = float(ends[found]), min(2 * width, 64)
-    return PassiveBeyond(X, top, tried)
+    return X
 
 
-def _covered(envelope: Envelope, low: Reals, high: Reals, ends: Reals, halvings: int) -> tuple[int, bool, int]:
+def _covered(envelope: Envelope, ends: Reals, halvings: int) -> tuple[int, bool, int]:
     """(how many cells in a row below ends[0] are proved, whether the next one failed, how many boxes were looked at).
 
     Cells far below one that is hard are left for another time.
     """
-    n, k = len(ends) - 1, len(low)
-    lows = np.concatenate([ends[1:, None], np.broadcast_to(low, (n, k))], 1)
-    highs = np.concatenate([ends[:-1, None], np.broadcast_to(high, (n, k))], 1)
+    n, k = len(ends) - 1, len(envelope.low)
+    lows = np.concatenate([ends[1:, None], np.broadcast_to(envelope.low, (n, k))], 1)
+    highs = np.concatenate([ends[:-1, None], np.broadcast_to(envelope.high, (n, k))], 1)
     cell, left, tried = np.arange(n), n, 0
     for depth in range(halvings + 1):
         tried += len(cell)

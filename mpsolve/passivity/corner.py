@@ -23,7 +23,7 @@ from mpsolve.proof.subdivide import subdivide
 
 _BITS = 96
 _PARTS, _DEEPEST = 1500, 16  # boxes at most; halvings of one
-_WIDTHS = (5e-3, 1e-3, 2e-4)
+_WIDTHS = tuple(5e-3 / 5**k for k in range(7))
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ def _seems_to_fall(moving: Moving, below: float, value: arb, reach: float) -> bo
 
 def _reach(moving: Moving, value: arb) -> float:
     """In balls without proof: how far F_qq stays of one size."""
-    v, r = arb(value.mid()), 2.0**-9
+    v, r = arb(value.mid()), 2.0**-20
     first = 6 * moving.germ(acb(0), v, 3).value[3].real
     while r < 0.5:
         if not 6 * moving.germ(acb(0, 2 * r), v, 3).value[3].real > first / 3:

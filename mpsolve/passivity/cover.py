@@ -90,7 +90,7 @@ def cover(strip: Strip, first: float, effort: Effort) -> Reals:
         if not len(boxes):
             break
         effort.spend(len(boxes))
-        boxes = _halved(boxes[~_passed(strip, near, boxes, level)], level, strip.high)
+        boxes = _halved(boxes[~_passed(strip, near, boxes, level)], strip.high)
     return boxes
 
 
@@ -108,16 +108,13 @@ def _passed(strip: Strip, near: Near, boxes: Reals, level: int) -> Any:
     return passed
 
 
-def _halved(boxes: Reals, level: int, high: float) -> Reals:
-    """Each in two: in q or in v, whichever is relatively longer (v against `high`); boxes at q = 0 in turn."""
+def _halved(boxes: Reals, high: float) -> Reals:
+    """Each in two: in q or in v, whichever moves q − vp more at wavenumbers about 1 (scaled), and at q/v beyond."""
     if not len(boxes):
         return boxes
     a, b, c, d = boxes.T
-    touching = a == 0
-    with np.errstate(all="ignore"):
-        by_q = np.where(touching, level % 2 == 0, np.log(b / a) > 2 * (d - c) / high)
-        middle = np.where(touching, b / 2, np.sqrt(a * b))
-    between = np.where(by_q, middle, c / 2 + d / 2)
+    by_q = (b - a) * high > 2 * (d - c) * np.maximum(b, 1.0)
+    between = np.where(by_q, np.where(a > 0, np.sqrt(a * b), b / 2), c / 2 + d / 2)
     first, second = boxes.copy(), boxes.copy()
     rows = np.arange(len(boxes))
     first[rows, np.where(by_q, 1, 3)] = between

@@ -4,6 +4,8 @@ As σ → ∞ each P-root behaves as c σ^θ, θ a slope of the polygon and c a 
 these are simple, the weight N/D_P is O(σ^ω) with ω = max over N of (iθ + j) − (edge value of D − θ), in every
 direction of Re σ ≥ 0, and |e^{Pξ}| ≤ 1 on the root's own side. If ω < 0 on every edge, G → 0. Roots that are carried
 along, P ~ σ/v with s = σ − vP of lower order, are looked at in s in the same way.
+
+How fast the short waves of a track run is told in floats: where contacts are as fast, nothing bounds what it gives.
 """
 
 from __future__ import annotations
@@ -12,11 +14,14 @@ from collections.abc import Mapping
 from fractions import Fraction
 from math import comb
 
+import numpy as np
 from flint import fmpq, fmpq_poly
 
 from mpsolve.frozen import frozen
 from mpsolve.numbers.realroots import as_fmpq
-from mpsolve.tracks.waveguide import Polynomial
+from mpsolve.numbers.several import multiply, plus
+from mpsolve.problem.reduced import Guide
+from mpsolve.tracks.waveguide import Polynomial, halves
 
 
 @frozen
@@ -98,3 +103,25 @@ def in_s(polynomial: Mapping[tuple[int, int], Fraction], v: Fraction) -> Polynom
 
 def _squarefree(poly: fmpq_poly) -> bool:
     return bool(poly.gcd(poly.derivative()).degree() == 0)
+
+
+def overtakes(guide: Guide, v: Fraction | float) -> bool:
+    """Some short wave of the track runs at a speed up to v."""
+    return slowest_short_wave(guide) <= float(v)
+
+
+def slowest_short_wave(guide: Guide) -> float:
+    """The least speed of the waves as they become short; infinite where there is none.
+
+    They are real roots of the terms of |D|², at P = ip and s = iΩ, of the highest degree in p and Ω together.
+    """
+    even, odd = halves(guide.D_rest)
+    square = plus(multiply(even, even), {(i, j + 1): c for (i, j), c in multiply(odd, odd).items()})
+    top, by_p = max(i + j for i, j in square), max(i for i, _ in square)
+    speeds = np.zeros(2 * by_p + 1)
+    for (i, j), c in square.items():
+        if i + j == top:
+            speeds[2 * i] = float(c)  # of (Ω/p)^(2 (by_p − i)), descending
+    roots = np.roots(speeds)
+    real = roots[(np.abs(roots.imag) < 1e-6 * np.abs(roots)) & (roots.real > 0)].real
+    return float(real.min(initial=np.inf))

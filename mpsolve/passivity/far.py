@@ -19,10 +19,9 @@ import numpy as np
 from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.jets import UP
 from mpsolve.numbers.several import evaluated
-from mpsolve.passivity.decay import edges
+from mpsolve.passivity.decay import edges, overtakes
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.far_chart import MARGIN, FarChart, given_from
-from mpsolve.passivity.short_waves import overtakes
 from mpsolve.passivity.subject import Subject
 from mpsolve.problem.reduced import Guide
 from mpsolve.proof.effort import Effort

@@ -13,9 +13,8 @@ from mpsolve.numbers.affine import Affine, between, constant
 from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.jets import UP
 from mpsolve.passivity.envelope import Envelope
-from mpsolve.passivity.mesh import cells
 from mpsolve.passivity.power import Terms, value
-from mpsolve.passivity.subject import Subject
+from mpsolve.passivity.subject import Subject, cells
 
 _SIDE = 9  # of the mesh
 _FINE = 4  # parts of each cell of the mesh

@@ -19,9 +19,8 @@ from mpsolve.numbers.affine import Affine, between
 from mpsolve.numbers.arrays import Reals, Truths
 from mpsolve.numbers.jets import TINY, UP, U
 from mpsolve.passivity.envelope import Envelope
-from mpsolve.passivity.mesh import cells
 from mpsolve.passivity.power import Terms, value
-from mpsolve.passivity.subject import Subject
+from mpsolve.passivity.subject import Subject, cells
 
 _CELLS = 1 << 14  # that are looked at at once, about
 

@@ -28,7 +28,6 @@ from mpsolve.passivity.answer import Kind, PassivityVelocity
 from mpsolve.passivity.corner import corner, unscaled, velocity_of_loss
 from mpsolve.passivity.cover import Moving, Strip, cover
 from mpsolve.passivity.decay import vanishes
-from mpsolve.passivity.string_velocity import velocity_of_string
 from mpsolve.problem.reduced import Guide, track_guide
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import MORE_EFFORT, Effort, begun
@@ -228,3 +227,18 @@ class _Search:
         with precision(self.bits):
             speeds = tuple(ball * rational_ball(self.unit) for ball in self.speeds)
         return PassivityVelocity(kind, value, self.low, self.high, to, speeds, status, reason)
+
+
+def velocity_of_string(track: String, low: Fraction, high: Fraction, bits: int) -> PassivityVelocity:
+    """The answer for low ≤ v ≤ high and a damped string, without any boxes; balls of that many bits."""
+    with precision(bits):
+        speed = (rational_ball(track.T) / rational_ball(track.m)).sqrt()
+        end = rational_ball(high)
+    square = track.T / track.m
+    if low * low >= square:
+        stated = "faster than its waves a string carries none ahead, and G(0, q) = 0: single contacts do not feel it"
+        reason = Reason("wave-speed", stated, {}, "give a range that begins below the speed of its waves")
+        return PassivityVelocity(Kind.UNDECIDED, None, low, high, None, (), Status.UNDECIDED, reason)
+    if high * high < square:
+        return PassivityVelocity(Kind.WHOLE, None, low, high, end, (), Status.UNVERIFIED)
+    return PassivityVelocity(Kind.LOST, speed, low, high, speed, (speed,), Status.UNVERIFIED)

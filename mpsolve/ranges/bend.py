@@ -20,7 +20,7 @@ from mpsolve.numbers.taylor import SAMPLES, Taylor, taylor
 from mpsolve.proof import newton
 from mpsolve.proof.vanishing import scalar
 from mpsolve.ranges.branch import SIDE, Model
-from mpsolve.ranges.rootcurve import AtPoint
+from mpsolve.ranges.curves import AtPoint
 
 _SHARE = 0.34  # of a box: the square round the disc of complex x̂ lies in |u₁| < 1/2
 _SHRINK = 1  # samples lie on the circle of half the radius
@@ -56,7 +56,7 @@ def _bends(matrix: FreeMatrix, proved: FreeProved, q: complex, x: float, radius:
     if not reduced.good[0] or not np.isfinite(reduced.s.e[0]):
         return False
     with precision(_BITS):
-        model = Model([acb(complex(c[0])) for c in reduced.s.k], arb(float(reduced.s.e[0])))
+        model = Model.of(reduced.s, 0)
         side = arb(0, _SHARE)
         found = model.branch(acb(side, side))
         if found is None:

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from mpsolve.characteristic.boxes import Boxes
 from mpsolve.characteristic.free_matrix import FreeMatrix
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, arb, precision
+from mpsolve.numbers.quadratic import Quadratic, pairs
 from mpsolve.proof.vanishing import scalar
 
 SIDE = 0.35
@@ -35,7 +36,7 @@ _BITS = 64
 class Part:
     """A box of (q̂′, x̂) in which there is one root, in a square round q, for each real x̂ from one end to the other.
 
-    bends, rises: balls of the second and of the first derivative of its imaginary part by u₁.
+    rises, bends: balls of the first and of the second derivative of its imaginary part by u₁.
     """
 
     q: float
@@ -44,8 +45,8 @@ class Part:
     r_x: float
     ends: tuple[arb, arb]
     last: acb
-    bends: tuple[arb, ...]
-    rises: tuple[arb, ...]
+    rises: tuple[Any, ...]
+    bends: tuple[Any, ...]
 
     def holds(self, q: Any, x: Any) -> bool:
         """Whether a root in a ball q at x in a ball x is that of the part: in the square, x between the ends."""
@@ -55,41 +56,49 @@ class Part:
             return fits and self.ends[0].union(self.ends[1]).contains(arb(x))
 
 
+class Followed:
+    """A curve in parts, with balls of the first (`rises`) and second derivative (`bends`) of the height of each."""
+
+    parts: tuple[Any, ...]
+
+    @property
+    def valley(self) -> tuple[int, int] | None:
+        """The parts between which it does not provably fall before, and rise behind; None if it does not.
+
+        The first of them and the one after the last.
+        """
+        first = next((k for k, part in enumerate(self.parts) if not _all(part.rises, -1)), len(self.parts))
+        last = next((k for k in range(len(self.parts), 0, -1) if not _all(self.parts[k - 1].rises, 1)), 0)
+        return (first, last) if first < last else None
+
+    def bends_up(self, first: int, last: int) -> bool:
+        """Whether it is proved to be convex over these parts."""
+        return all(_all(part.bends, 1) for part in self.parts[first:last])
+
+    @property
+    def rises(self) -> bool:
+        """Whether it is proved to grow with the parameter."""
+        return all(_all(part.rises, 1) for part in self.parts)
+
+    @property
+    def falls(self) -> bool:
+        """Whether it is proved to become smaller."""
+        return all(_all(part.rises, -1) for part in self.parts)
+
+
+def _all(balls: Sequence[Any], sign: int) -> bool:
+    return all(bool(sign * ball > 0) for ball in balls)
+
+
 @dataclass(frozen=True)
-class Tube:
-    """One root, followed through parts whose ends are common."""
+class Tube(Followed):
+    """One root, followed through parts whose ends are common; its height is its imaginary part."""
 
     parts: tuple[Part, ...]
 
     def holds(self, q: Any, x: Any) -> bool:
         """Whether a root in a ball q at x in a ball x is the one that is followed."""
         return any(part.holds(q, x) for part in self.parts)
-
-    @property
-    def valley(self) -> tuple[int, int] | None:
-        """The parts between which its imaginary part does not provably fall before, rise behind; None if it does not.
-
-        The first of them and the one after the last.
-        """
-        falls = [all(bool(rise < 0) for rise in part.rises) for part in self.parts]
-        rises = [all(bool(rise > 0) for rise in part.rises) for part in self.parts]
-        first = next((k for k, down in enumerate(falls) if not down), len(falls))
-        last = next((k for k in range(len(rises), 0, -1) if not rises[k - 1]), 0)
-        return (first, last) if first < last else None
-
-    def bends_up(self, first: int, last: int) -> bool:
-        """Whether its imaginary part is proved to be convex over these parts."""
-        return all(bool(bend > 0) for part in self.parts[first:last] for bend in part.bends)
-
-    @property
-    def rises(self) -> bool:
-        """Whether its imaginary part is proved to grow with the parameter."""
-        return all(bool(rise > 0) for part in self.parts for rise in part.rises)
-
-    @property
-    def falls(self) -> bool:
-        """Whether it is proved to become smaller."""
-        return all(bool(rise < 0) for part in self.parts for rise in part.rises)
 
 
 def tube(matrix: FreeMatrix, points: Any, edges: list[Any]) -> Tube | None:
@@ -110,8 +119,7 @@ def tube(matrix: FreeMatrix, points: Any, edges: list[Any]) -> Tube | None:
         return None
     parts: list[Part] = []
     for k, ends in enumerate(pairwise(edges)):
-        model = Model([acb(complex(c[k])) for c in reduced.s.k], arb(float(reduced.s.e[k])))
-        part = _part(model, m[:, k].tolist(), r[:, k].tolist(), ends)
+        part = _part(Model.of(reduced.s, k), m[:, k].tolist(), r[:, k].tolist(), ends)
         if part is None or (parts and not part.holds(parts[-1].last, ends[0])):
             return None
         parts.append(part)
@@ -130,27 +138,45 @@ def _part(model: Model, at: Sequence[float], size: Any, ends: tuple[arb, arb]) -
         known = [one for one in found if one is not None]
         last = arb(at[0]) + known[-1][0] * arb(size[0])
     rises, bends = tuple(one[1].imag for one in known), tuple(one[2].imag for one in known)
-    return Part(at[0], at[1], size[0], size[1], ends, last, bends, rises)
+    return Part(at[0], at[1], size[0], size[1], ends, last, rises, bends)
 
 
 @dataclass(frozen=True)
 class Model:
-    """a + b₀u₀ + b₁u₁ + c₀₀u₀² + c₀₁u₀u₁ + c₁₁u₁² and a remainder of at most e."""
+    """The coefficients of 1, u_i and u_i u_j (i ≤ j), and a bound of the remainder, which is analytic on |u_i| ≤ 1.
+
+    Its slopes, and second derivatives, are bounded on |u_i| ≤ 1/2.
+    """
 
     k: list[Any]
-    e: arb
+    e: Any
+    m: int
+
+    @classmethod
+    def of(cls, s: Quadratic, n: int, turn: Any = 1, size: float = 1.0) -> Self:
+        """That of box n, times a number that is no larger than `size`."""
+        return cls([acb(complex(c[n])) * turn for c in s.k], arb(float(s.e[n])) * size, s.m)
 
     def _rest(self, share: int) -> acb:
         ball = arb(0, (self.e * share).upper())
         return acb(ball, ball)
 
-    def value(self, u: acb, t: Any) -> Any:
-        a, b0, b1, c00, c01, c11 = self.k
-        return a + b0 * u + b1 * t + c00 * u * u + c01 * u * t + c11 * t * t + self._rest(1)
+    def value(self, *u: Any) -> Any:
+        terms = [c * x for c, x in zip(self.k[1:], u, strict=False)]
+        terms += [c * u[i] * u[j] for c, (i, j) in zip(self.k[1 + self.m :], pairs(self.m), strict=True)]
+        return sum(terms, self.k[0] + self._rest(1))
 
-    def slopes(self, u: acb, t: Any) -> tuple[acb, acb]:
-        _, b0, b1, c00, c01, c11 = self.k
-        return b0 + 2 * c00 * u + c01 * t + self._rest(2), b1 + c01 * u + 2 * c11 * t + self._rest(2)
+    def slopes(self, *u: Any) -> list[Any]:
+        out = [b + self._rest(2) for b in self.k[1 : 1 + self.m]]
+        for c, (i, j) in zip(self.k[1 + self.m :], pairs(self.m), strict=True):
+            out[i] += c * u[j]
+            out[j] += c * u[i]
+        return out
+
+    def second(self, *u: Any) -> Any:
+        """The second derivative along a direction: twice Σ c_ij u_i u_j, and what the remainder adds."""
+        each = zip(self.k[1 + self.m :], pairs(self.m), strict=True)
+        return sum((2 * (c + self._rest(4)) * u[i] * u[j] for c, (i, j) in each), acb(0))
 
     def branch(self, t: Any) -> tuple[acb, acb, acb] | None:
         """(u₀, u₀′, u₀″) for all t in a real ball; None where the root is not enclosed in the square."""
@@ -167,9 +193,7 @@ class Model:
             box = _met(box, image)
         s0, s1 = self.slopes(box, t)
         first = -s1 / s0
-        _, _, _, c00, c01, c11 = self.k
-        second = 2 * c11 + self._rest(8) + 2 * (c01 + self._rest(4)) * first
-        return box, first, -(second + (2 * c00 + self._rest(8)) * first * first) / s0
+        return box, first, -self.second(first, 1) / s0
 
 
 def _met(one: Any, other: acb) -> acb:

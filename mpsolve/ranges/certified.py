@@ -1,11 +1,12 @@
 """Certificates of answers over ranges, as JSON (certs/SPEC2.md, section 10); all exact, in the problem's units.
 
-`CertificateError` where an answer cannot be written: the checker knows less than the proof uses.
+`CertificateError` where an answer cannot be written: the checker knows less than the proof uses. Each is handed to
+the standalone verifier, within a bounded work.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
@@ -14,13 +15,16 @@ import numpy as np
 
 from mpsolve.certificate.format import FORMAT, Certificate, digest
 from mpsolve.certificate.spectrum_file import VERSION, basis_entry, dyadic
-from mpsolve.errors import CertificateError
+from mpsolve.errors import CertificateError, PrecisionError
 from mpsolve.numbers.arrays import Integers, Reals
 from mpsolve.numbers.balls import arb
 from mpsolve.numbers.several import Several
+from mpsolve.outcome import Status
 from mpsolve.passivity.far import far_numbers
 from mpsolve.problem.family import Family
 from mpsolve.problem.free_equations import FreeEquations, free_equations
+from mpsolve.proof.deadline import in_time
+from mpsolve.proof.effort import Effort
 from mpsolve.proof.sheared import SLOPED
 from mpsolve.proof.subdivide import OPEN, Tree
 from mpsolve.ranges.enclosed import Crossing
@@ -198,3 +202,37 @@ def _radius(x: Fraction) -> list[int]:
     e = x.numerator.bit_length() - x.denominator.bit_length() - 8
     scaled = x / Fraction(2) ** e
     return [-(-scaled.numerator // scaled.denominator), e]
+
+
+_A_NODE, _PIECES = 1, 3000
+"""Boxes that the verifier may look at: so many for each node of the tree, and so many more."""
+
+
+@dataclass(frozen=True)
+class Verified:
+    """status: PROVED if the certificate passed, else UNVERIFIED; note: why there is none; seconds: of the check."""
+
+    status: Status
+    certificate: Certificate | None = None
+    note: str = ""
+    seconds: float = 0.0
+
+
+def verified(make: Callable[[], Certificate], nodes: int, budget: Effort | None) -> Verified:
+    """Make a certificate and have it checked within the effort; None: neither."""
+    if budget is None:
+        return Verified(Status.UNVERIFIED, note="the verifier was not asked")
+    from mpsolve.certificate.verify_ranges import verify_bytes
+
+    def made_and_checked() -> tuple[Certificate | None, str]:
+        try:
+            certificate = make()
+            verdict = verify_bytes(certificate.text.encode("ascii"), _A_NODE * nodes + _PIECES)
+        except (CertificateError, PrecisionError) as error:
+            return None, str(error)
+        return (certificate, "") if verdict.valid else (None, f"the verifier does not pass one: {verdict.reason}")
+
+    found, late, seconds = in_time(made_and_checked, budget)
+    certificate, why = found or (None, late)
+    status = Status.UNVERIFIED if certificate is None else Status.PROVED
+    return Verified(status, certificate, why, seconds)

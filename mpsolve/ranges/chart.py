@@ -24,8 +24,8 @@ from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
+from mpsolve.proof.deadline import in_time
 from mpsolve.proof.effort import Effort, begun
-from mpsolve.proof.in_time import in_time
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import Tree, subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent
@@ -33,15 +33,13 @@ from mpsolve.ranges.arcs import ArcJudge
 from mpsolve.ranges.base import base_at, growing, uncounted
 from mpsolve.ranges.boundary import Boundary, boundaries
 from mpsolve.ranges.cells import BOUNDARY, OPEN, finer, next_to, parts_of
-from mpsolve.ranges.cells_by_theorem import Decided, decided
-from mpsolve.ranges.certified import Base, chart_certificate
-from mpsolve.ranges.chart_parts import Part, counted, point_in
+from mpsolve.ranges.certified import Base, Verified, chart_certificate, verified
+from mpsolve.ranges.chart_parts import Decided, Part, counted, decided, point_in
 from mpsolve.ranges.judge import ARC
 from mpsolve.ranges.meeting import Meeting, meetings
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
 from mpsolve.ranges.strips import free_cells, strips_of
 from mpsolve.ranges.undamped import at_corner, left_open
-from mpsolve.ranges.verified import Verified, verified
 
 _BOXES = 1_000_000
 _DEPTH = 7  # halvings of each parameter

@@ -22,17 +22,15 @@ from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.answer import Interval, Proof, Spent, within
 from mpsolve.ranges.base import base_at, growing, uncounted
-from mpsolve.ranges.certified import Base, crossings_certificate, with_room
-from mpsolve.ranges.crossed import Crossing, Crossings
+from mpsolve.ranges.certified import Base, crossings_certificate, verified, with_room
+from mpsolve.ranges.crossed import Crossing, Crossings, speeds_within
 from mpsolve.ranges.enclosed import Crossing as Scaled
-from mpsolve.ranges.left_out import speeds_within
+from mpsolve.ranges.lone_mass import without_damping
 from mpsolve.ranges.never import never_unstable
 from mpsolve.ranges.parted import COMPLETE, parted, speeds_above
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, one_path, scope_of
 from mpsolve.ranges.search import Search
 from mpsolve.ranges.undamped import no_damping
-from mpsolve.ranges.verified import verified
-from mpsolve.ranges.without_damping import without_damping
 from mpsolve.ranges.without_end import endless, require_mass
 
 _BOXES = 400_000  # that an answer may take unless effort says otherwise

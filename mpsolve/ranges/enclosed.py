@@ -1,21 +1,57 @@
 """A crossing of the real axis in balls: the only real root near a point (q̂, x̂), and the way in which it crosses.
 
-The same for another edge, with the roots on the edge and its coordinate y in place of q̂.
+The same for another edge, a straight line of frequencies such as a side of a region, with the roots on it and its
+coordinate y in place of q̂.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 from mpsolve.characteristic.free_proved import FreeProved
 from mpsolve.errors import PrecisionError
-from mpsolve.numbers.balls import acb, acb_mat, arb, precision
+from mpsolve.numbers.balls import acb, acb_mat, arb, precision, rational_ball
 from mpsolve.numbers.reduction import Reduction
 from mpsolve.proof import newton, planar
 from mpsolve.proof.ladder import climb
-from mpsolve.ranges.edge import REAL_AXIS, Edge
+
+
+@dataclass(frozen=True)
+class Edge:
+    """The points q̂ = re + i·im + y, or − i·y where it goes down, with real y; the region lies where Im y < 0.
+
+    mirrored: y and −y go together, as q and −q̄ are roots together (re = 0, not down).
+    """
+
+    re: Fraction = Fraction(0)
+    im: Fraction = Fraction(0)
+    down: bool = False
+
+    @property
+    def mirrored(self) -> bool:
+        return not self.re and not self.down
+
+    @property
+    def origin(self) -> complex:
+        """σ̂ = iq̂ at y = 0."""
+        return complex(-float(self.im), float(self.re))
+
+    @property
+    def way(self) -> complex:
+        """dσ̂/dy."""
+        return 1.0 + 0j if self.down else 1j
+
+    def sigma(self, y: Any) -> acb:
+        """σ̂ at a ball y, at the precision that is set."""
+        along = acb(arb(y), 0) if self.down else acb(0, y)
+        return acb(-rational_ball(self.im), rational_ball(self.re)) + along
+
+
+REAL_AXIS = Edge()
+
 
 BASE_BITS = 80
 _TRIED = 640

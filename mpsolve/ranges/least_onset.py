@@ -29,11 +29,10 @@ from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.ranges.answer import Interval, Proof
 from mpsolve.ranges.base import base_at, uncounted
-from mpsolve.ranges.crossingcurve import CrossingCurve
-from mpsolve.ranges.first_seen import each_seen
-from mpsolve.ranges.glance import count_seen
+from mpsolve.ranges.curves import CrossingCurve
 from mpsolve.ranges.ridge import HALF, Ridge, alone, ridge
 from mpsolve.ranges.scope import OpenError, Scope
+from mpsolve.ranges.seen import count_seen, each_seen
 from mpsolve.ranges.stationary import Candidate, Lowest, lowest_near, proved_lowest
 
 _COLUMNS = 6  # values of the second parameter at which crossings are looked for

@@ -17,9 +17,10 @@ Let the vehicle be one mass M > 0 with one contact, of compliance 1/k ≥ 0: Δ�
 Where the parameters change within these premises, no root comes to the real axis from Im q < 0. To q = 0: there the
 p-roots are real and apart, G is bounded and Δ̃ → 1. To another q ≠ ±b: G is continuous and Im Δ̃ ≠ 0 (q < 0 is the
 mirror). To ±b: there two p-roots meet, one of U and one of L (beyond b they are conjugates), twice only since h is
-strictly convex, and apart from the others: |G| → ∞, and Δ̃ with it. Nor does one come from infinity: all have
-|q|² ≤ e² (SPEC2, 8.2), continuous in the parameters. By Hurwitz's theorem their number is the same for all
-velocities above that at which the cuts join (b > 0), all M > 0 and all contact springs.
+strictly convex, and apart from the others: |G| → ∞, and Δ̃ with it. Nor does one come from infinity: all have |q|² ≤
+e² (SPEC2, 8.2), continuous in the parameters. By Hurwitz's theorem their number is the same for all velocities above
+that at which the cuts join (b > 0), all M > 0 and all contact springs. It tells the crossings of a range over which a
+beam has no damping; else they stay open.
 """
 
 from __future__ import annotations
@@ -28,14 +29,23 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
+from time import process_time
 from typing import TYPE_CHECKING, Any
 
-from flint import arb, fmpq_poly
+from flint import fmpq_poly
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.realroots import as_fmpq, end_of, is_positive, negative_point
-from mpsolve.problem.family import Interval
+from mpsolve.numbers.balls import arb, precision
+from mpsolve.numbers.decimals import working_bits
+from mpsolve.numbers.realroots import as_fmpq, end_of, is_positive, negative_point, short_between
+from mpsolve.outcome import Status
 from mpsolve.problem.problem import Problem
+from mpsolve.progress import Progress
+from mpsolve.proof.effort import Effort
+from mpsolve.ranges import undamped
+from mpsolve.ranges.answer import Interval, Spent
+from mpsolve.ranges.base import base_at, growing, uncounted
+from mpsolve.ranges.crossed import Crossing, Crossings
 from mpsolve.ranges.undamped import SPEEDS, at_corner, cuts_join, no_damping, of_vehicles, passive_at
 
 if TYPE_CHECKING:
@@ -129,3 +139,32 @@ def _joined(beam: Any, v: Fraction) -> bool:
     """Whether W < v² y for some y: b > 0."""
     W, _, _ = _polynomials(beam)
     return negative_point(W - fmpq_poly([0, as_fmpq(v * v * beam.m)])) is not None
+
+
+def without_damping(
+    problem: Problem,
+    over: Mapping[str, Interval],
+    digits: int,
+    effort: Effort | None,
+    progress: Progress,
+    check: bool,
+) -> Crossings:
+    """`crossings` of checked arguments, where `undamped.no_damping` and something may grow."""
+    started = process_time()
+    part = faster(problem, over)
+    if part is None:
+        return Crossings(problem, over, Status.UNDECIDED, *undamped.left_open(problem, over), digits=digits)
+    progress("base", 0.0)
+    path, at = next(iter(over)), short_between(part.low, part.high)
+    base = base_at(problem.changed(path, at), effort, check)
+    number = growing(base)
+    cost = Spent(process_time() - started - base.cost.verification, base.cost.verification)
+    if number is None:
+        why = uncounted(base, f"at {path} = {float(at):.6g}")
+        return Crossings(problem, over, Status.UNDECIDED, why, digits=digits, cost=cost)
+    if part.joins is None or not number:
+        return Crossings(problem, over, Status.UNVERIFIED, digits=digits, counts=(number,), note=NOTE, cost=cost)
+    with precision(working_bits(digits)):
+        first = Crossing(undamped.cuts_join(problem, path), arb(0), number)
+    known: dict[str, Any] = {"crossings": (first,), "counts": (0, number), "note": NOTE}
+    return Crossings(problem, over, Status.UNVERIFIED, digits=digits, cost=cost, **known)

@@ -25,11 +25,10 @@ from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Interval, Proof
 from mpsolve.ranges.base import base_at, uncounted
-from mpsolve.ranges.followed import follow, stretch
-from mpsolve.ranges.least_seen import least_seen
-from mpsolve.ranges.line import Line, cross_line
-from mpsolve.ranges.rootcurve import RootCurve
+from mpsolve.ranges.curves import RootCurve
+from mpsolve.ranges.line import Line, cross_line, follow, stretch
 from mpsolve.ranges.scope import OpenError, Scope
+from mpsolve.ranges.seen import least_seen
 from mpsolve.ranges.stationary import Candidate, Lowest, lowest_near, proved_lowest
 from mpsolve.spectrum.candidates import Area
 from mpsolve.spectrum.regions import Below, HalfPlane

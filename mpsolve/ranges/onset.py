@@ -1,29 +1,36 @@
-"""From which value of a parameter on roots grow, and in which ranges of it; both from all crossings."""
+"""From which value of a parameter on roots grow, and in which ranges of it; both from all crossings.
+
+Of two ranges the second is left to its worst value (`least_onset`).
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
+from time import process_time
 from typing import Any
 
 from flint import arb
 
 from mpsolve.certificate.solve import checked_digits
+from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.balls import rational_ball
 from mpsolve.outcome import Reason, Status
+from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
-from mpsolve.ranges.answer import Answer, Interval, Valued
-from mpsolve.ranges.crossed import Crossings
-from mpsolve.ranges.first import BEYOND, up_to_first
-from mpsolve.ranges.left_out import LeftOut
-from mpsolve.ranges.onset_worst import AtWorst, at_worst
-from mpsolve.ranges.scope import checked_over
+from mpsolve.ranges.answer import Answer, Interval, Spent, Valued
+from mpsolve.ranges.crossed import Crossings, LeftOut
+from mpsolve.ranges.least_onset import Least, Question
+from mpsolve.ranges.never import never_unstable
+from mpsolve.ranges.scope import OpenError, checked_over, from_above_rest, one_path, scope_of
+from mpsolve.ranges.seen import BEYOND, up_to_first
 from mpsolve.ranges.unstable import found_in, intervals_of, near, shared
 
+_BOXES = 1_000_000  # at the worst value of a second parameter
 _QUICK = 40_000  # boxes of a first try, if nothing else is asked: an onset needs the range up to itself only
 
 
@@ -78,8 +85,7 @@ def onset(
     included: a limiting mass at the worst distance, say. Below the answer all is stable, whatever that parameter is.
     """
     if worst is not None:
-        digits = checked_digits(digits)
-        return _at_worst(at_worst(problem, over, worst, digits, effort, progress or silent, check), problem, digits)
+        return _at_worst(problem, over, worst, checked_digits(digits), effort, progress or silent, check)
     given = as_problem(problem)
     ranges = checked_over(problem, over, endless=True)
 
@@ -163,12 +169,47 @@ def _from_where(value: Any) -> Reason:
     return Reason("left-out", stated, {}, "begin the range farther below the speed of short waves, or above it")
 
 
-def _at_worst(answer: AtWorst, problem: Given, digits: int) -> Onset:
-    found = answer.found
+def _at_worst(
+    given: Given,
+    over: Mapping[str, Any],
+    worst: Mapping[str, Any],
+    digits: int,
+    effort: Effort | None,
+    progress: Progress,
+    check: bool,
+) -> Onset:
+    """The least onset; InputError where the ranges cannot be, or are not two."""
+    started, problem = process_time(), as_problem(given)
+    first, second = checked_over(given, over), checked_over(given, worst)
+    one_path(first)
+    if len(second) != 1 or first.keys() & second.keys():
+        stated = f"names {', '.join(second)}, and over {', '.join(first)}"
+        raise InputError("worst", f"{stated}: give a range of one parameter each, of two different ones")
+    if never_unstable(problem, first | second):
+        nothing = Least(None, None, None, "", ())
+        return _told_at_worst(given, first | second, digits, nothing, None, Spent(process_time() - started))
+    both = from_above_rest(problem, first | second)
+    budget = begun(effort, _BOXES)
+    reason, found = None, None
+    with one_thread():
+        question = Question(problem, both, scope_of(problem, both), digits, budget, progress, check)
+        try:
+            found = question.answer()
+        except (OpenError, EffortError) as error:
+            reason = error.reason
+        except PrecisionError as error:
+            reason = Reason("worst", str(error), {}, "give shorter ranges")
+    checked = question.base.cost.verification if question.base is not None else 0.0
+    cost = Spent(process_time() - started - checked, checked, budget.spent)
+    return _told_at_worst(given, both, digits, found, reason, cost)
+
+
+def _told_at_worst(
+    given: Given, over: Mapping[str, Interval], digits: int, found: Least | None, reason: Reason | None, cost: Spent
+) -> Onset:
     if found is None:
-        return Onset(problem, answer.over, Status.UNDECIDED, answer.reason, cost=answer.cost, digits=digits)
-    known: dict[str, Any] = {"value": found.value, "q": found.q, "worst": found.worst, "where": found.where}
+        return Onset(given, over, Status.UNDECIDED, reason, cost=cost, digits=digits)
     nowhere = Kind.STABLE if found.worst is None else Kind.UNSTABLE_FROM_START
-    known |= {"kind": nowhere if found.value is None else Kind.CROSSES, "proofs": found.proofs}
-    known |= {"note": "no certificate states an onset at the worst value of a second parameter yet"}
-    return Onset(problem, answer.over, Status.UNVERIFIED, cost=answer.cost, digits=digits, **known)
+    note = "no certificate states an onset at the worst value of a second parameter yet"
+    kind = nowhere if found.value is None else Kind.CROSSES
+    return Onset(given, over, Status.UNVERIFIED, cost=cost, note=note, digits=digits, kind=kind, **vars(found))

@@ -33,10 +33,10 @@ from mpsolve.proof.vanishing import in_plane, one_at_most, scalar
 from mpsolve.ranges.answer import Interval
 from mpsolve.ranges.asked import Asked, AskedJudge
 from mpsolve.ranges.base import base_at
-from mpsolve.ranges.crossingcurve import Fixed
+from mpsolve.ranges.curves import Fixed
 from mpsolve.ranges.enclosed import Crossing, enclose
-from mpsolve.ranges.first_seen import each_seen
 from mpsolve.ranges.scope import Scope, from_above_rest, scope_of
+from mpsolve.ranges.seen import each_seen
 
 _MORE = 64  # a part of what lies between the start and the last crossing: so much more is in the family
 _BOXES = 2_000  # for each value

@@ -20,8 +20,8 @@ from mpsolve.problem.family import Interval
 from mpsolve.problem.problem import Problem
 from mpsolve.proof.effort import Effort, begun
 from mpsolve.ranges.answer import Spent, joined_cost
+from mpsolve.ranges.crossed import LeftOut, Speed, not_whole, shown, speeds_within
 from mpsolve.ranges.last_strip import last_strip
-from mpsolve.ranges.left_out import LeftOut, Speed, not_whole, shown, speeds_within
 from mpsolve.ranges.on_string import quiet
 
 if TYPE_CHECKING:

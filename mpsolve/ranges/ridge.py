@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -22,6 +22,7 @@ from mpsolve.numbers.balls import acb, arb, arb_mat, precision
 from mpsolve.numbers.jets import U
 from mpsolve.numbers.quadratic import Quadratic
 from mpsolve.proof.vanishing import scalar
+from mpsolve.ranges.branch import Followed, Model
 
 HALF = 0.49  # of a box: where crossings are alone
 _BITS = 64
@@ -81,52 +82,47 @@ def solved_size(g0: Complexes, g1: Complexes, size: Reals) -> Reals:
         return np.where(det > 0, np.stack([np.abs(g1), np.abs(g0)]) * size / det * (1 + 16 * U), np.inf)
 
 
-@dataclass(frozen=True)
-class Ridge:
-    """The curve of crossings over y from one end to the other, in parts.
+class Part(NamedTuple):
+    """A box (low, high) of (q̂, x̂) in which a crossing is the only one, and balls that hold it, for all y of a part.
 
-    boxes: (low, high) of (q̂, x̂), in which a crossing is the only one; places: balls that hold it, for all y of a
-    part; rates: balls of x′ and x″.
+    rises, bends: balls of x′ and x″.
     """
 
+    low: Reals
+    high: Reals
+    place: tuple[Any, Any]
+    rises: tuple[Any, ...]
+    bends: tuple[Any, ...]
+
+
+@dataclass(frozen=True)
+class Ridge(Followed):
+    """The curve of crossings over y from one end to the other, in parts between edges; its height is x̂."""
+
     edges: tuple[arb, ...]
-    boxes: tuple[tuple[Reals, Reals], ...]
-    places: tuple[tuple[arb, arb], ...]
-    rates: tuple[tuple[arb, arb], ...]
-
-    @property
-    def falls(self) -> bool:
-        """Whether x̂ falls throughout, proved."""
-        return all(bool(first < 0) for first, _ in self.rates)
-
-    @property
-    def rises(self) -> bool:
-        """Whether it rises throughout."""
-        return all(bool(first > 0) for first, _ in self.rates)
+    parts: tuple[Part, ...]
 
     @property
     def is_valley(self) -> bool:
         """Whether it falls, then is convex, and then rises: lowest where its rate is 0, if there is such a point."""
-        first = next((k for k, (rate, _) in enumerate(self.rates) if not rate < 0), len(self.rates))
-        last = next((k for k in range(len(self.rates), 0, -1) if not self.rates[k - 1][0] > 0), 0)
-        return first < last and all(bool(bend > 0) for _, bend in self.rates[first:last])
+        return self.valley is not None and self.bends_up(*self.valley)
 
     def within(self, middle: Any, size: Reals) -> bool:
         """Whether all of it lies in the half of a box, in q̂ and x̂."""
         with precision(_BITS):
             return all(
                 bool(abs(ball - arb(float(m))) < arb(float(r)) / 2)
-                for place in self.places
-                for ball, m, r in zip(place, middle, size, strict=False)
+                for part in self.parts
+                for ball, m, r in zip(part.place, middle, size, strict=False)
             )
 
     def holds(self, state: tuple[Any, ...], y: Any) -> bool:
         """Whether a crossing in balls at y in a ball is the one that is followed."""
         with precision(_BITS + 64):
-            for (low, high), ends in zip(self.boxes, pairwise(self.edges), strict=True):
+            for part, ends in zip(self.parts, pairwise(self.edges), strict=True):
                 inside = all(
                     bool(s > arb(float(a))) and bool(s < arb(float(b)))
-                    for s, a, b in zip(state, low, high, strict=True)
+                    for s, a, b in zip(state, part.low, part.high, strict=True)
                 )
                 if inside and ends[0].union(ends[1]).contains(arb(y)):
                     return True
@@ -150,47 +146,25 @@ def ridge(
     reduced = scalar(A, G.good)
     if not (reduced.good & np.isfinite(reduced.s.e)).all():
         return None
-    rates: list[tuple[Any, Any]] = []
-    places: list[tuple[Any, Any]] = []
+    parts: list[Part] = []
     with precision(_BITS):
         for k, ends in enumerate(pairwise(edges)):
             turned = acb(
                 complex(reduced.s.b[0, k].conjugate() / abs(reduced.s.b[0, k]))
             )  # s₀ nearly real: less wrapping
-            model = _Model([acb(complex(c[k])) * turned for c in reduced.s.k], arb(float(reduced.s.e[k])) * _TURNED)
+            model = _Model.of(reduced.s, k, turned, _TURNED)
             low, high = ((arb(end) - arb(m[2, k])) / arb(r[2, k]) for end in ends)
             found = model.rates(low.union(high)) if abs(low) < 0.5 and abs(high) < 0.5 else None
             if found is None:
                 return None
-            places.append((arb(m[0, k]) + found[0] * arb(r[0, k]), arb(m[1, k]) + found[1] * arb(r[1, k])))
-            rates.append(found[2:])
-    boxes = tuple((m[:2, k] - _SIDE * r[:2, k], m[:2, k] + _SIDE * r[:2, k]) for k in range(len(middles)))
-    return Ridge(tuple(edges), boxes, tuple(places), tuple(rates))
+            place = arb(m[0, k]) + found[0] * arb(r[0, k]), arb(m[1, k]) + found[1] * arb(r[1, k])
+            half = _SIDE * r[:2, k]
+            parts.append(Part(m[:2, k] - half, m[:2, k] + half, place, found[2:3], found[3:]))
+    return Ridge(tuple(edges), tuple(parts))
 
 
-@dataclass(frozen=True)
-class _Model:
-    """The coefficients of 1, u_i, u_i u_j (i ≤ j) and a bound of the rest."""
-
-    k: list[Any]
-    e: arb
-
-    def _rest(self, share: int) -> acb:
-        ball = arb(0, (self.e * share).upper())
-        return acb(ball, ball)
-
-    def value(self, u: acb, w: acb, t: acb) -> Any:
-        a, b0, b1, b2, c00, c01, c02, c11, c12, c22 = self.k
-        square = c00 * u * u + c01 * u * w + c02 * u * t + c11 * w * w + c12 * w * t + c22 * t * t
-        return a + b0 * u + b1 * w + b2 * t + square + self._rest(1)
-
-    def slopes(self, u: acb, w: acb, t: acb) -> tuple[acb, acb, acb]:
-        _, b0, b1, b2, c00, c01, c02, c11, c12, c22 = self.k
-        return (
-            b0 + 2 * c00 * u + c01 * w + c02 * t + self._rest(2),
-            b1 + c01 * u + 2 * c11 * w + c12 * t + self._rest(2),
-            b2 + c02 * u + c12 * w + 2 * c22 * t + self._rest(2),
-        )
+class _Model(Model):
+    """Of three variables, the last of them free."""
 
     def rates(self, t: arb) -> tuple[arb, arb, arb, arb] | None:
         """(u₀, u₁, u₁′, u₁″) of the only crossing in the square, for all t in a ball; None where none is."""
@@ -213,11 +187,4 @@ class _Model:
         if turn.contains(0):
             return None
         along, up = -(s2 * s1.conjugate()).imag / (s0 * s1.conjugate()).imag, -(s0.conjugate() * s2).imag / turn
-        return u, w, up, -(s0.conjugate() * self._second(along, up)).imag / turn
-
-    def _second(self, u: arb, w: arb) -> Any:
-        """The second derivative along (u, w, 1)."""
-        *_, c00, c01, c02, c11, c12, c22 = self.k
-        pure, mixed = self._rest(8), self._rest(4)
-        square = (2 * c00 + pure) * u * u + (2 * c11 + pure) * w * w + 2 * c22 + pure
-        return square + 2 * ((c01 + mixed) * u * w + (c02 + mixed) * u + (c12 + mixed) * w)
+        return u, w, up, -(s0.conjugate() * self.second(along, up, 1)).imag / turn

@@ -24,13 +24,12 @@ from mpsolve.proof.subdivide import Covered, subdivide
 from mpsolve.ranges import undamped
 from mpsolve.ranges.answer import Interval, Proof, Spent
 from mpsolve.ranges.base import base_at, uncounted
-from mpsolve.ranges.certified import Base, stable_certificate
-from mpsolve.ranges.glance import corners_and_more, count_seen
+from mpsolve.ranges.certified import Base, stable_certificate, verified
 from mpsolve.ranges.in_processes import InProcesses
 from mpsolve.ranges.never import never_unstable
 from mpsolve.ranges.robust_answer import Robust
 from mpsolve.ranges.scope import OpenError, Scope, checked_over, from_above_rest, scope_of
-from mpsolve.ranges.verified import verified
+from mpsolve.ranges.seen import corners_and_more, count_seen
 
 if TYPE_CHECKING:
     from mpsolve.spectrum.spectrum import Spectrum

@@ -21,9 +21,9 @@ from mpsolve.numbers.plain import float_beside
 from mpsolve.numbers.spoken import beside
 from mpsolve.outcome import Reason
 from mpsolve.passivity.box import passive_beyond
+from mpsolve.passivity.decay import overtakes
 from mpsolve.passivity.envelope import Envelope
 from mpsolve.passivity.far import far, forget_tail
-from mpsolve.passivity.short_waves import overtakes
 from mpsolve.passivity.subject import Subject
 from mpsolve.problem.cases import Given, as_problem, value_at
 from mpsolve.problem.family import Family, Interval, family_of, require_ends
@@ -149,8 +149,7 @@ class Scope:
         # cells of frequencies are not halved: boxes do it where it is needed, and a checker has less to follow
         if one:
             return far(self.envelope)
-        found = passive_beyond(self.envelope, halvings=0)
-        return None if found is None else float(found.X)
+        return passive_beyond(self.envelope, halvings=0)
 
     def judge(self, kind: type[Judge] = Judge, **more: Any) -> Judge:
         """A judge of boxes in (q̂, x̂) over the whole; more: of its kind."""

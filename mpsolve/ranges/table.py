@@ -17,9 +17,8 @@ from mpsolve.problem.cases import Given, as_problem, value_at
 from mpsolve.problem.over import Over
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress
-from mpsolve.ranges.entry import Entry, Job
+from mpsolve.ranges.entry import Axis, Entry, Job, lines_of, solve_line
 from mpsolve.ranges.scope import checked_over, one_path
-from mpsolve.ranges.table_lines import Axis, lines_of, solve_line
 
 QUANTITIES = ("onset", "unstable ranges")
 _MOST = 10_000

@@ -19,9 +19,8 @@ from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.answer import Answer, Interval
-from mpsolve.ranges.crossed import Crossings
+from mpsolve.ranges.crossed import Crossings, LeftOut
 from mpsolve.ranges.crossings import find
-from mpsolve.ranges.left_out import LeftOut
 from mpsolve.ranges.scope import checked_over, one_path
 
 SHARED = ("status", "reason", "known", "proofs", "cost", "certificate", "note", "left_out")

@@ -16,8 +16,7 @@ import numpy as np
 from mpsolve.errors import InputError
 from mpsolve.numbers.arrays import Reals, Truths
 from mpsolve.report.figures import require_matplotlib, save_panels
-from mpsolve.vibration.case_motion import Response
-from mpsolve.vibration.case_units import Scale
+from mpsolve.vibration.case_motion import Response, Scale
 from mpsolve.vibration.motion import Vibration
 
 if TYPE_CHECKING:

@@ -13,8 +13,8 @@ from mpsolve.outcome import Status
 from mpsolve.problem.over import Over
 from mpsolve.ranges.answer import Answer
 from mpsolve.ranges.crossed import Crossings
-from mpsolve.ranges.first import BEYOND
 from mpsolve.ranges.onset import Kind, Onset
+from mpsolve.ranges.seen import BEYOND
 from mpsolve.ranges.unstable import UnstableRanges
 from mpsolve.report.over_words import margin, onset_at, stable_throughout, unstable_beyond, unstable_from_start
 from mpsolve.report.ranges_asked import Asked

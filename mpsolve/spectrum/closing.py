@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from flint import acb, arb
 
+from mpsolve.characteristic.bordering import distances_of
 from mpsolve.characteristic.discs import split
 from mpsolve.characteristic.proved import ProvedSplitting
 from mpsolve.characteristic.roots import root_balls
@@ -142,16 +143,15 @@ def edge_splitting(reduced: Reduced, up: int, q: float) -> ProvedSplitting:
 
 def pivot_sum(reduced: Reduced, up: int, q: float) -> arb:
     """Σ Arg(pivots of M) at the real q̂ from G in balls, where M is known to be accretive; PrecisionError if open."""
-    distances = sorted({a - b for a in reduced.places for b in reduced.places})
+    distances, which = distances_of(reduced.places)
     for bits in (64, 256, 1024):
         with precision(bits):
             try:
                 values = edge_splitting(reduced, up, q).receptances(distances, False)[0]
             except PrecisionError:
                 continue
-            G = dict(zip(distances, values, strict=True))
-            between = {(i, j): G[a - b] for i, a in enumerate(reduced.places) for j, b in enumerate(reduced.places)}
-            total = _pivot_arguments(_accretive(reduced, acb(0, q), between))
+            G = {(i, j): values[k] for i, row in enumerate(which) for j, k in enumerate(row)}
+            total = _pivot_arguments(_accretive(reduced, acb(0, q), G))
             if total is not None and total.rad() < 0.1:
                 return total
     raise PrecisionError("a root lies on the line of the cuts where the count closes")

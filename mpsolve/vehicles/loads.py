@@ -1,4 +1,7 @@
-"""The outer forces of a problem on the coordinates of its vehicles: its weights, or what was given."""
+"""The outer forces of a problem on the coordinates of its vehicles: its weights, or what was given.
+
+The motion of a vehicle as a whole carries its weights.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.errors import InputError
-from mpsolve.vehicles.bounce import rigid_bounce
+from mpsolve.numbers.linear import kernel
 from mpsolve.vehicles.load import GRAVITY, Load
 from mpsolve.vehicles.vehicle import Pencil
 
@@ -81,3 +84,14 @@ def _weights(pencil: Pencil) -> tuple[Fraction, ...]:
         raise InputError("loads", f"{stated}: give one Load for each contact, or a [[load]] in a file")
     masses = (sum((m * r for m, r in zip(row, bounce, strict=True)), Fraction(0)) for row in pencil.M)
     return tuple(GRAVITY.as_fraction() * mass for mass in masses)
+
+
+def rigid_bounce(pencil: Pencil) -> tuple[Fraction, ...] | None:
+    """The motion that lifts every contact by 1 and strains nothing, unique where there is one; None where not."""
+    size = pencil.size
+    rows = [[*row, Fraction(0)] for row in (*pencil.K, *pencil.C)]
+    rows += [[*(row[j] for row in pencil.B), Fraction(-1)] for j in range(pencil.contacts)]
+    found = [vector for vector in kernel(rows, size + 1) if vector[size]]
+    if not found:
+        return None
+    return tuple(x / found[0][size] for x in found[0][:size])

@@ -26,7 +26,7 @@ from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.vehicles.load import Load
 from mpsolve.vehicles.mass import Mass
 from mpsolve.vibration.balls.enclosure import MOST, Asked, proved_parts
-from mpsolve.vibration.case_units import rounded, units_of
+from mpsolve.vibration.case_motion import rounded, units_of
 from mpsolve.vibration.image import Image
 from mpsolve.vibration.of_case import certified_of
 

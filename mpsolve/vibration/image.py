@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from mpsolve.characteristic.bordering import distances_of
 from mpsolve.characteristic.floats import Floats, Receptance
 from mpsolve.numbers.arrays import Complexes, Integers, Reals
 from mpsolve.problem.problem import Problem
@@ -65,16 +66,13 @@ class Image:
         return self.pencil.contacts
 
     @cached_property
-    def _distances(self) -> tuple[list[Fraction], Integers, Integers]:
+    def _distances(self) -> tuple[tuple[Fraction, ...], Integers, Integers]:
         """Different distances, scaled; the number of that between each two contacts, and from places to contacts."""
         unit = Fraction(2) ** self.guide.length
         at, seen = ([x / unit for x in places] for places in (self.pencil.places, self.places))
-        distances = sorted({x - y for x in (*at, *seen) for y in at})
-        number = {x: k for k, x in enumerate(distances)}
-        rows = [
-            np.array([[number[x - y] for y in at] for x in some], int).reshape(-1, len(at)) for some in (at, seen)
-        ]
-        return distances, rows[0], rows[1]
+        distances, rows = distances_of([*at, *seen], at)
+        which = np.array(rows, int)
+        return distances, which[: len(at)], which[len(at) :]
 
     @cached_property
     def _scaled(self) -> tuple[list[Reals], Reals, Reals, Reals, float]:

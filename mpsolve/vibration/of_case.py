@@ -20,8 +20,7 @@ from mpsolve.progress import Progress
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.vehicles.load import Load
-from mpsolve.vibration.case_motion import HarmonicPair, Response
-from mpsolve.vibration.case_units import CaseUnits, units_of
+from mpsolve.vibration.case_motion import CaseUnits, HarmonicPair, Response, units_of
 from mpsolve.vibration.motion import Vibration
 from mpsolve.vibration.vibrate import vibrate
 

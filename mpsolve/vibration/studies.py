@@ -22,8 +22,7 @@ from mpsolve.spectrum.spectrum import Spectrum
 from mpsolve.vehicles.load import Load
 from mpsolve.vehicles.mass import Mass
 from mpsolve.vehicles.vehicle import Placed
-from mpsolve.vibration.case_motion import Response
-from mpsolve.vibration.case_units import units_of
+from mpsolve.vibration.case_motion import Response, units_of
 from mpsolve.vibration.motion import Vibration
 from mpsolve.vibration.of_case import motion_of_case, vibration_of_case
 from mpsolve.vibration.vibrate import vibrate

@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 
 from mpsolve.numbers.arrays import Reals
-from mpsolve.vibration.case_motion import Response
-from mpsolve.vibration.case_units import Scale
+from mpsolve.vibration.case_motion import Response, Scale
 from mpsolve.vibration.motion import Vibration
 
 _ARRAYS = "times places rail steady steady_harmonic harmonic transient contact_force within"

@@ -25,8 +25,7 @@ from mpsolve.tracks.at_rest import at_rest
 from mpsolve.tracks.undamped import undamped
 from mpsolve.tracks.waveguide import Track, Waveguide
 from mpsolve.waves.algebraic import middle
-from mpsolve.waves.double import double_roots
-from mpsolve.waves.line import Line, line
+from mpsolve.waves.line import Line, double_roots, line
 from mpsolve.waves.place import Place, places_of, still
 from mpsolve.waves.speeds import wave_speeds
 from mpsolve.waves.velocity import CriticalVelocities, CriticalVelocity, Kind

@@ -5,10 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from mpsolve import Problem, tracks, vehicles
-from mpsolve.batch.closing import accretive, closing_argument
 from mpsolve.batch.entries import entries_of
 from mpsolve.batch.groups import groups_of
-from mpsolve.batch.passive import first_passive
+from mpsolve.batch.passive import accretive, closing_argument, first_passive
 
 BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")
 BOGIE = vehicles.Bogie(wheel=3, frame=5, inertia=4, wheelbase=2, k=3, c=0, k_contact=40, body=9, k2=1, c2="0.1")

@@ -11,7 +11,7 @@ from mpsolve import Problem, tracks, vehicles
 from mpsolve.batch.count import count_group, waves_meet
 from mpsolve.batch.entries import entries_of
 from mpsolve.batch.groups import Group, groups_of
-from mpsolve.batch.matrix import log_delta
+from mpsolve.batch.kernel import log_delta
 from mpsolve.batch.passive import first_passive
 
 BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mpsolve.batch.wave_sums import wave_sums
+from mpsolve.batch.wave_sums import felt, moved_between, passes_branch, wave_sums
 
 UP = 2
 
@@ -34,3 +34,17 @@ def test_each_pair_by_itself(places: list[float], scale: float) -> None:
             e = sign * np.exp(z[:, side] * (here - there))
             assert np.allclose(G[:, i, j], (w[:, side] * e).sum(1), rtol=1e-9, atol=1e-12)
             assert np.allclose(slope[:, i, j], ((a + b * (here - there))[:, side] * e).sum(1), rtol=1e-9, atol=1e-12)
+
+
+def test_a_branch_point_between_two_points_is_noticed() -> None:
+    """z = ±√x through x = 0 on a fine grid, and far away from it."""
+    x = np.array([-0.1, 0.1, 1.0, 1.1]) + 0j
+    z = np.stack([-np.sqrt(x), np.sqrt(x)], 1)
+    assert passes_branch(z, 1).tolist() == [True, True, False]
+
+
+def test_how_much_a_wave_is_felt() -> None:
+    z = np.array([[-0.1 + 2j, -10 + 1j]])
+    weight = felt(z, np.array([1.0]), np.array([20.0]))
+    assert np.allclose(weight, [[10 * np.exp(-1), np.exp(-10)]])
+    assert moved_between(np.array([[1.0, 5], [1.5, 5]]) + 0j, np.array([[2.0, 2]])).tolist() == [1.0]

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from mpsolve import Problem, certify, tracks, vehicles
+from mpsolve.certificate.verify2 import verify_bytes
 
 LAYERS = tracks.TwoLayer("6380430", "60.2", "300e6", "3e4", "250", "100e6", "8e4")
 PAIR = Problem(LAYERS, [vehicles.Mass(900), vehicles.Mass(900).at("2.5")], v=680)
@@ -67,3 +68,32 @@ def test_units_do_not_matter(content: dict[str, Any]) -> None:
     assert int(root["re"], 16) * Fraction(2) ** root["exponent"] == pytest.approx(
         float(int(same["re"], 16) * Fraction(2) ** same["exponent"]), rel=1e-15
     )
+
+
+BEAM = {"EI": "1/4", "m": 1, "k": 1}
+CLOSE: dict[str, tuple[Any, str, list[object], list[object]]] = {  # contacts that the track hardly tells apart
+    "a beam": (
+        tracks.EulerBernoulli(**BEAM, c="0.9569"), "1.594",
+        ["12.52", "2.534", "0.7774"], [0, "4.351", "5.36"],
+    ),
+    "a damped rail": (
+        tracks.EulerBernoulli(**BEAM, c="0.8045", eta="0.001592"), "0.5049",
+        [70, 29, "3.5"], [0, "0.205", "0.5814"],
+    ),
+    "a Rayleigh beam": (
+        tracks.Rayleigh(**BEAM, c="0.7697", J="0.3446"), "0.8464",
+        ["0.2236", "0.1134", "37.47", "98.44"], [0, "0.4346", "0.6386", "1.7896"],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CLOSE)
+def test_what_is_proved_without_the_verifier_passes_it(name: str) -> None:
+    track, v, masses, places = CLOSE[name]
+    found = certify(
+        Problem(track, [vehicles.Mass(M).at(x) for M, x in zip(masses, places, strict=True)], v=v),
+        region="unstable", digits=15, check=False,
+    )  # fmt: skip
+    assert found.certificate is not None
+    verdict = verify_bytes(found.certificate.text.encode("ascii"))
+    assert verdict.valid, verdict.reason

@@ -845,6 +845,12 @@ def test_pivots_by_blocks_are_those_of_plain_elimination(n):
     assert found.rad() < 1e-10
 
 
+@pytest.mark.parametrize("radius", ["1", "3/10", "1.0849", "1e-9", "9.96e-300", "1e-1002", "7/3"])
+def test_a_radius_is_printed_with_two_digits_and_not_as_less(radius):
+    said = Fraction(v2.two_digits(v2.fmpq(*Fraction(radius).as_integer_ratio())))
+    assert Fraction(radius) <= said <= Fraction(radius) * Fraction(112, 100)
+
+
 @pytest.mark.parametrize("n", [1, 2, 5, 12])
 def test_hermitian_matrices_over_a_box_against_eigenvalues(n):
     """Where it is proved no eigenvalue is < 0 anywhere in the box, or with a rest; it is where there is a margin."""
@@ -870,6 +876,19 @@ def test_hermitian_matrices_over_a_box_against_eigenvalues(n):
         assert proved or least + shift < E.sum(1).max(), k
         seen.append(proved)
     assert set(seen) == {True, False}
+
+
+def test_close_contacts_lose_what_is_open_between_them_only():
+    """H_0 is small along (1, −1, 0, …) alone: a rest of one size everywhere takes 2 e there, in whatever phases."""
+    rng, n, e = np.random.default_rng(8), 6, 1e-4
+    for times, fine in ((2.5, True), (1.9, False)):
+        u = np.array([1, -1, 0, 0, 0, 0]) / np.sqrt(2)
+        H = np.eye(n) + (times * e - 1) * np.outer(u, u)
+        assert v2.definite([acb_mat(H.tolist())], arb_mat(n, n, [e] * n * n)) == fine
+        phases = np.exp(2j * np.pi * rng.random((200, n)))
+        phases[0, :2] = 1, -1
+        least = min(np.linalg.eigvalsh(H - e * np.outer(x, x.conj()))[0] for x in phases)
+        assert (least > 0) == fine
 
 
 MIXED = {  # a mass on its own; a wheel with a frame above; a body on two contacts, one of them soft

@@ -807,6 +807,18 @@ def test_the_box_of_a_pair_is_mapped_into_itself() -> None:
     assert 0 < sum(wide) < len(wide)
 
 
+def test_a_pair_is_found_where_the_first_box_is_too_wide() -> None:
+    """1.2 w takes 0.51 of one side; 1.15 τ, less than half of it."""
+    near, w = [[0, 1], [1, 0]], (0.425, 0.01)
+    found = checker.spectra.contraction([arb(x) for x in w], arb_mat(near), arb("1e-60"))
+    assert found is not None
+    (a, b), (s, t) = ([float(x) for x in row] for row in found)
+    assert a < 0.5 < 1.2 * w[0]
+    assert w[0] / (1 - b) <= s < a
+    assert w[1] / (1 - a) <= t < b
+    assert checker.spectra.contraction([arb("0.5"), arb("0.01")], arb_mat(near), arb("1e-60")) is None
+
+
 def test_boxes_are_passive_by_the_receptance_where_the_contacts_take_up_power(family: checker.Family) -> None:
     """Against floats of −Im G, of both contacts: it has both signs over the range."""
     seen, xi = set(), abs(float(max(family.waves.distances, key=abs).real))

@@ -10,7 +10,7 @@ from newmark import Beam, newmark
 
 from mpsolve import Case, Load
 from mpsolve.finite.case import Case as Track
-from mpsolve.vibration.case_units import units_of
+from mpsolve.vibration.case_motion import units_of
 
 BEAM = Beam(
     40.0, 50, 0.5, 0.1, 0.05, np.array([40.0, 10.0]), np.array([12.0, 13.5]),

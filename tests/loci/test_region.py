@@ -8,7 +8,7 @@ from free_cases import BEAM, LAYERS, PAIR
 from mpsolve import Problem
 from mpsolve.errors import InputError
 from mpsolve.loci.region import region_of
-from mpsolve.ranges.edge import REAL_AXIS
+from mpsolve.ranges.enclosed import REAL_AXIS
 from mpsolve.ranges.scope import scope_of
 from mpsolve.tracks.at_rest import lowest_cut
 

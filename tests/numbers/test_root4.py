@@ -5,10 +5,9 @@ from __future__ import annotations
 from decimal import Decimal
 from fractions import Fraction
 
-import mpmath
 import pytest
 
-from mpsolve.numbers.root4 import decimal_root, rational_root, raw_root
+from mpsolve.numbers.root4 import decimal_root, rational_root
 
 
 @pytest.mark.parametrize("x", [Fraction(0), Fraction(2, 3), Fraction(-5, 7), Fraction(10**30, 3)])
@@ -22,19 +21,13 @@ def test_there_is_none_where_there_is_none(signed: Fraction) -> None:
 
 
 @pytest.mark.parametrize("signed", [Fraction(2), Fraction(-3, 7), Fraction(1, 10**50)])
-def test_digits_and_bits_are_right_to_one_unit(signed: Fraction) -> None:
+def test_digits_are_right_to_one_unit(signed: Fraction) -> None:
     for digits in (8, 40):
         near = Fraction(decimal_root(signed, None, digits))
         unit = abs(near) * Fraction(1, 10 ** (digits - 1))
         low, high = (x * abs(x) ** 3 for x in (near - unit, near + unit))
         assert low < signed < high
-    context = mpmath.MPContext()
-    context.prec = 100
-    with mpmath.workprec(200):
-        found = context.make_mpf(raw_root(signed, None, 100))
-        assert abs(found * abs(found) ** 3 / (mpmath.mpf(signed.numerator) / signed.denominator) - 1) < 2**-97
 
 
 def test_a_rational_number_is_only_divided() -> None:
     assert decimal_root(Fraction(1, 81), Fraction(1, 3), 5).quantize(Decimal("1e-9")) == Decimal("0.333333333")
-    assert mpmath.mp.make_mpf(raw_root(Fraction(1, 256), Fraction(1, 4), 53)) == 0.25

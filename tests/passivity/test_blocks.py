@@ -11,7 +11,7 @@ from passive_subjects import RAIL, TRACKS, TWO, family_and_envelope, least, redu
 from mpsolve import Problem, vehicles
 from mpsolve.numbers.affine import between
 from mpsolve.passivity.blocks import densities, passive_on
-from mpsolve.passivity.mesh import cells
+from mpsolve.passivity.subject import cells
 
 
 @pytest.mark.parametrize("count", [1, 2, 3])

@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 from track_models import DAMPED
 
+from mpsolve import Problem, tracks, vehicles
 from mpsolve.numbers.several import multiply
-from mpsolve.passivity.decay import edges, in_s, vanishes
+from mpsolve.passivity.decay import edges, in_s, overtakes, slowest_short_wave, vanishes
+from mpsolve.problem.reduced import reduce_problem
 from mpsolve.tracks.waveguide import Polynomial, moving
 
 V = {"string": 100, "floating-ice": 5, "rayleigh": 4000, "timoshenko": 1500}
@@ -77,3 +79,23 @@ def test_sleepers_at_critical_damping_are_not_proved() -> None:
     D = multiply(rail, b)
     v = Fraction(1, 2)
     assert not vanishes(moving(D, v), moving(b, v), v)
+
+
+def guide_of(track: object, v: int) -> Any:
+    return reduce_problem(Problem(track, [vehicles.Mass(900).at(0)], v=v)).guide
+
+
+def test_a_string_is_overtaken_at_the_speed_of_its_waves() -> None:
+    wire = tracks.String(T=400, m=1, k=500, c=2)  # waves at 20 m/s
+    slow, fast = (guide_of(wire, v) for v in (19, 21))
+    assert slowest_short_wave(slow) / float(slow.v) == pytest.approx(20 / 19)
+    assert not overtakes(slow, slow.v)
+    assert overtakes(fast, fast.v)
+
+
+def test_the_slower_of_two_kinds_of_waves_counts() -> None:
+    """Shear waves at √(S/m) = 2000 m/s, bending waves at √(EI/J) = 5000 m/s; a beam's run ever faster."""
+    beam = {"EI": "6e6", "m": "60", "k": "1e6", "c": "770"}
+    guide = guide_of(tracks.Timoshenko(**beam, S="2.4e8", J="0.24"), 100)
+    assert slowest_short_wave(guide) / float(guide.v) == pytest.approx(20)
+    assert slowest_short_wave(guide_of(tracks.EulerBernoulli(**beam), 100)) == float("inf")

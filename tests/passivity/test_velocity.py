@@ -6,12 +6,13 @@ import pickle
 from fractions import Fraction
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 from flint import arb
 from passive_subjects import RAIL
 
-from mpsolve import InputError, Problem, Status, certify, passivity_velocity, tracks, vehicles
+from mpsolve import InputError, Problem, Status, certify, passivity_velocity, receptance, tracks, vehicles
 from mpsolve.numbers.balls import precision, rational_ball
 from mpsolve.passivity import velocity
 from mpsolve.passivity.answer import Kind
@@ -37,6 +38,19 @@ def test_the_papers_beam(eta_b: str, known: str) -> None:
         v = Fraction(known) * (1 + side * Fraction(1, 4000))
         heavy = certify(Problem(beam(eta_b), vehicles.Mass(10**7), v=v), region="unstable", check=False)
         assert heavy.count == count
+
+
+@pytest.mark.parametrize("eta_b", ["0.003", "0.001"])
+def test_light_damping(eta_b: str) -> None:
+    """The sign of Im G next to the loss, from p-roots in mpmath; at q → 0 alone it changes there."""
+    found, c = passivity_velocity(beam(eta_b), over={"v": (0, 2)}), 2 * mpmath.mpf(eta_b)
+    assert found.kind is Kind.LOST
+    with mpmath.workdps(30):
+        for side, q in ((1, "1e-6"), (-1, "1e-6"), (-1, "1e-4"), (-1, "1e-2"), (-1, 1), (-1, 10)):
+            v, s = mpmath.mpf(found.value.str(25, radius=False)) * (1 + side * c / 1000), mpmath.mpc(0, q)
+            roots = mpmath.polyroots([0.25, 0, v**2, -v * (2 * s + c), s**2 + c * s + 1], maxsteps=200, extraprec=60)
+            G = sum(1 / (P**3 + 2 * v**2 * P - v * (2 * s + c)) for P in roots if P.real < 0)
+            assert G.imag * side > 0
 
 
 def test_the_velocities_up_to_the_loss_itself_are_covered(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -106,3 +120,24 @@ def test_an_effort_that_is_spent() -> None:
 def test_bad_input(over: object, track: object) -> None:
     with pytest.raises(InputError):
         passivity_velocity(track, over=over)  # type: ignore[arg-type]
+
+
+WIRE = tracks.String(T=27000, m="1.07", k=500, c=2)
+
+
+def test_a_string_takes_up_to_the_speed_of_its_waves() -> None:
+    found = passivity_velocity(WIRE, over={"v": (0, 200)}, digits=40)
+    assert found.kind is Kind.LOST
+    assert float(found.value) == float(found.wave_speeds[0]) == pytest.approx(np.sqrt(27000 / 1.07))
+    assert found.value.rel_accuracy_bits() > 40 * 3.32
+    assert passivity_velocity(WIRE, over={"v": (0, "158.8")}).kind is Kind.WHOLE
+    above = passivity_velocity(WIRE, over={"v": (160, 200)})
+    assert above.reason is not None
+    assert above.reason.code == "wave-speed"
+
+
+@pytest.mark.parametrize("v", [0, 80, 150, "158.8"])
+def test_slower_than_its_waves_it_takes(v: object) -> None:
+    q = np.geomspace(1e-2, 1e3, 200)
+    assert (receptance(WIRE, xi=[0], omega=q, v=v)[0].imag < 0).all()
+    assert certify(Problem(WIRE, vehicles.Mass(1000), v=v), region="unstable", check=False).count == 0

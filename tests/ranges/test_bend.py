@@ -7,7 +7,7 @@ from followed_root import LOWEST, roots, shifted_scope
 
 from mpsolve.numbers.balls import acb, arb, precision
 from mpsolve.ranges.bend import is_convex
-from mpsolve.ranges.rootcurve import RootCurve
+from mpsolve.ranges.curves import RootCurve
 
 
 def test_convex_at_the_lowest_point_only() -> None:

@@ -1,3 +1,6 @@
+from __future__ import annotations
+
+import signal
 from fractions import Fraction
 
 import numpy as np
@@ -5,13 +8,14 @@ import pytest
 from flint import arb
 from free_cases import BEAM, PAIR
 
-from mpsolve import Problem, crossings
+from mpsolve import Effort, Problem, Status, crossings
+from mpsolve.certificate.format import Certificate
 from mpsolve.certificate.verify_ranges import verify_bytes
 from mpsolve.errors import CertificateError
 from mpsolve.numbers.balls import precision
 from mpsolve.proof.sheared import SLOPED
 from mpsolve.proof.subdivide import OPEN, Tree
-from mpsolve.ranges.certified import ball_entry, chart_certificate, tree_text, with_room
+from mpsolve.ranges.certified import ball_entry, chart_certificate, tree_text, verified, with_room
 from mpsolve.ranges.enclosed import Crossing
 from mpsolve.ranges.judge import KNOWN, NONZERO, PASSIVE
 from mpsolve.ranges.scope import checked_over, scope_of
@@ -60,3 +64,39 @@ def test_an_answer_hands_on_its_certificate() -> None:
     (zero,) = found.certificate.content["zeros"]
     middle = int(zero["x"]["middle"], 16) * 2.0 ** zero["x"]["exponent"]
     assert found.crossings[0].lower <= middle <= found.crossings[0].upper
+
+
+def test_what_is_not_asked_for_is_not_made() -> None:
+    def never() -> Certificate:
+        raise AssertionError
+
+    made = verified(never, 10, None)
+    assert (made.status, made.certificate) == (Status.UNVERIFIED, None)
+    assert "not asked" in made.note
+
+
+def test_a_certificate_that_cannot_be_made_says_why() -> None:
+    def fails() -> Certificate:
+        raise CertificateError("no power of two")
+
+    made = verified(fails, 10, Effort())
+    assert (made.status, made.certificate, made.note) == (Status.UNVERIFIED, None, "no power of two")
+
+
+def test_a_certificate_that_is_refused_is_none() -> None:
+    made = verified(lambda: Certificate({"kind": "stable"}), 10, Effort())
+    assert (made.status, made.certificate) == (Status.UNVERIFIED, None)
+    assert made.note.startswith("the verifier does not pass one")
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="there is no such timer here")
+def test_what_takes_longer_than_the_effort_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    def slow(*_: object) -> None:
+        while True:
+            pass
+
+    monkeypatch.setattr("mpsolve.certificate.verify_ranges.verify_bytes", slow)
+    made = verified(lambda: Certificate({"kind": "stable"}), 10, Effort(seconds=0.2))
+    assert (made.status, made.certificate) == (Status.UNVERIFIED, None)
+    assert "the effort of 0.2 s" in made.note
+    assert 0.1 < made.seconds < 1

@@ -20,7 +20,7 @@ from mpsolve.problem.reduced import reduce_problem
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges.crossed import Crossings
 from mpsolve.ranges.crossings import crossings
-from mpsolve.ranges.glance import count_seen
+from mpsolve.ranges.seen import count_seen
 from mpsolve.spectrum.regions import HalfPlane
 
 PROBLEM = Problem(BEAM, PAIR, v="0.9")

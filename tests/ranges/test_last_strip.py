@@ -13,8 +13,8 @@ from mpsolve.numbers.quadratic import Quadratic, pairs
 from mpsolve.problem.family import Family, family_of
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.vanishing import nonzero, scalar
+from mpsolve.ranges.crossed import speeds_within
 from mpsolve.ranges.last_strip import LastMatrix, last_strip
-from mpsolve.ranges.left_out import speeds_within
 from mpsolve.ranges.on_string import passive_beyond
 
 PLACES = (0, 2, 5)

@@ -8,8 +8,22 @@ import numpy as np
 import pytest
 from flint import arb
 
-from mpsolve import Case, Problem, certify, crossings, onset, prove_stable, tracks, unstable_ranges, vehicles, worst
-from mpsolve.ranges.lone_mass import NOTE, faster
+from mpsolve import (
+    Case,
+    Problem,
+    Status,
+    certify,
+    crossings,
+    onset,
+    prove_stable,
+    tracks,
+    unstable_ranges,
+    vehicles,
+    worst,
+)
+from mpsolve.progress import silent
+from mpsolve.ranges import lone_mass
+from mpsolve.ranges.lone_mass import NOTE, faster, without_damping
 from mpsolve.ranges.onset import Kind
 
 BEAM = tracks.EulerBernoulli(EI="1/4", m=1, k=1)
@@ -93,3 +107,24 @@ def test_with_damping_it_is_silent() -> None:
     damped = LONE.changed("track.c", "0.1")
     assert faster(damped, {"v": (Fraction(0), Fraction(2))}) is None
     assert faster(LONE, {"track.c": (Fraction(0), Fraction(1))}) is None
+
+
+OVER = {"v": (Fraction(1, 2), Fraction(2))}
+
+
+def test_a_pair_comes_where_the_cuts_join() -> None:
+    found = without_damping(LONE, OVER, 20, None, silent, check=False)
+    (one,) = found.crossings
+    assert (found.counts, one.direction, float(one.value), float(one.q)) == ((0, 2), 2, 1.0, 0.0)
+    assert found.status is Status.UNVERIFIED
+
+
+def test_an_open_count_stays_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    near = LONE.changed("v", "1.0000001")  # two branch points next to each other
+    found = certify(near, region="unstable", check=False)
+    assert not found.proved
+    monkeypatch.setattr(lone_mass, "base_at", lambda *_, **__: found)
+    answer = without_damping(LONE, OVER, 20, None, silent, check=False)
+    assert answer.status is Status.UNDECIDED
+    assert answer.counts is None
+    assert answer.crossings == ()

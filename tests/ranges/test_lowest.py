@@ -10,7 +10,7 @@ from mpsolve import Problem, certify, tracks, vehicles, worst
 from mpsolve.numbers.balls import precision
 from mpsolve.problem.family import Family
 from mpsolve.ranges import line, lowest
-from mpsolve.ranges.least_seen import Seen
+from mpsolve.ranges.seen import Seen
 from mpsolve.spectrum.candidates import Area
 
 

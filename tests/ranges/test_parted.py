@@ -15,9 +15,8 @@ from flint import arb
 from mpsolve import Effort, Problem, tracks, vehicles
 from mpsolve.outcome import Reason, Status
 from mpsolve.ranges import parted as module
-from mpsolve.ranges.crossed import Crossings
+from mpsolve.ranges.crossed import Crossings, speeds_within
 from mpsolve.ranges.crossings import crossings
-from mpsolve.ranges.left_out import speeds_within
 from mpsolve.ranges.onset import Kind, Onset, _read, onset
 from mpsolve.ranges.parted import parted, speeds_above
 from mpsolve.ranges.unstable import shared, unstable_ranges

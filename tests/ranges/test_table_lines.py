@@ -11,9 +11,8 @@ from mpsolve import Case, InputError, stability_table
 from mpsolve.problem.cases import as_problem
 from mpsolve.problem.over import Over
 from mpsolve.problem.problem import Problem
-from mpsolve.ranges import table_lines
-from mpsolve.ranges.entry import Job
-from mpsolve.ranges.table_lines import lines_of
+from mpsolve.ranges import entry
+from mpsolve.ranges.entry import Job, lines_of
 
 TWO = as_problem(Case(alpha="0.5", eta_b="0.05", eta_m=(70, 70), positions=(0, 2)))
 OVER = Over("v", Fraction(0), Fraction(2), "", "")
@@ -94,7 +93,7 @@ def test_a_factor_along_a_line(over: str, together: bool) -> None:
 def test_what_a_line_does_not_tell_is_asked_by_itself(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: dict[str, Any] = {"rows": {"eta_m": [5, 60]}, "columns": {"d": [2]}, "digits": 12, "workers": 1}
     together = stability_table(TWO, over={"v": (0, 2)}, **asked)
-    monkeypatch.setattr(table_lines, "onsets_along", lambda _, __, ___, values, *____: [None] * len(values))
+    monkeypatch.setattr(entry, "onsets_along", lambda _, __, ___, values, *____: [None] * len(values))
     alone = stability_table(TWO, over={"v": (0, 2)}, **asked)
     assert [one.text for (one,) in together.entries] == [one.text for (one,) in alone.entries]
     assert together.entries[0][0].over == alone.entries[0][0].over

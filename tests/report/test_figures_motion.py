@@ -12,7 +12,7 @@ import pytest
 from mpsolve import Case, InputError, Load, PhysicalCase, Problem, response, tracks, vehicles
 from mpsolve.report.figures import figure_of
 from mpsolve.report.figures_motion import draw_curves, draw_forces, draw_place, save_comparison, save_motion, scene
-from mpsolve.vibration.case_units import Scale
+from mpsolve.vibration.case_motion import Scale
 
 TRACK = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
 PROBLEM = Problem(TRACK, [vehicles.Mass(10_000).at(0), vehicles.Mass(10_000).at("3.4")], v=250)

@@ -11,8 +11,8 @@ import pytest
 from mpsolve import Problem, Status, crossings, onset, tracks, unstable_ranges, vehicles
 from mpsolve.numbers.balls import arb
 from mpsolve.ranges.crossed import Crossings
-from mpsolve.ranges.first import BEYOND
 from mpsolve.ranges.onset import Kind, Onset, _read
+from mpsolve.ranges.seen import BEYOND
 from mpsolve.ranges.unstable import shared
 from mpsolve.report.ranges_asked import asked
 from mpsolve.report.ranges_words import report_of, said_of_crossings, said_of_onset, said_of_ranges

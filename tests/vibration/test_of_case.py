@@ -17,7 +17,7 @@ from mpsolve import Case, Effort, InputError, MpsolveError, certify, response
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.exact import Exact
 from mpsolve.vehicles.load import Load
-from mpsolve.vibration.case_units import Scale
+from mpsolve.vibration.case_motion import Scale
 from mpsolve.vibration.table import case_columns
 
 TWO: dict[str, Any] = {"eta_m": (70, 70), "positions": (0, "1.5")}

@@ -10,7 +10,7 @@ from vehicle_models import TYPICAL
 
 from mpsolve import Case, Load, Problem, response
 from mpsolve.files import save_arrays, save_columns
-from mpsolve.vibration.case_units import Scale
+from mpsolve.vibration.case_motion import Scale
 from mpsolve.vibration.table import arrays, case_columns, columns, named, time_columns, unit_of
 
 FOUND = response(Problem(DAMPED["two-layer"], TYPICAL["bogie"], v=20), times=[0.01, 0.1], places=[0, "1.5"])

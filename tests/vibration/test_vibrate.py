@@ -33,7 +33,7 @@ from mpsolve.errors import PrecisionError
 from mpsolve.presets.written import input_file, names, preset
 from mpsolve.problem.cases import as_problem
 from mpsolve.problem.reduced import scale_guide, track_guide
-from mpsolve.vehicles.bounce import rigid_bounce
+from mpsolve.vehicles.loads import rigid_bounce
 
 BOGIE = Problem(DAMPED["two-layer"], TYPICAL["bogie"], v=100)
 

@@ -7,11 +7,11 @@ import pickle
 import re
 from fractions import Fraction
 from pathlib import Path
-from time import process_time
 from typing import Any
 
 import numpy as np
 import pytest
+from called import calls
 from catalogue_models import made
 
 from mpsolve import critical_velocities, dispersion
@@ -243,14 +243,13 @@ def test_a_wave_of_train_crit_speed_in_the_answer() -> None:
 
 
 @pytest.mark.parametrize("track", [*map(made, CATALOGUE), BALLAST], ids=lambda track: track.name)
-def test_quickly(track: Any) -> None:
-    """Every track that there is, with and without frequency: 0.2 s of processor time."""
+def test_with_little_work(track: Any) -> None:
+    """Every track that there is, with and without frequency: some milliseconds' worth of calls."""
     for omega in (0, "2.5", 301):
-        start = process_time()
-        found = critical_velocities(track, omega)
-        assert process_time() - start < 0.2
-        assert found.status is Status.UNVERIFIED
-    assert track != BALLAST or len(found) == 5
+        found: list[Any] = []
+        assert calls(lambda omega=omega, found=found: found.append(critical_velocities(track, omega))) < 20_000
+        assert found[0].status is Status.UNVERIFIED
+    assert track != BALLAST or len(found[0]) == 5
 
 
 def test_an_answer_travels_and_speaks() -> None:

@@ -1,1 +1,1 @@
-"""The motion in proved balls: image → strip and far, which admit the path → residues → integral → enclosure."""
+"""The motion in proved balls: image → far, which admits the path → residues → integral → work → enclosure."""

@@ -2,7 +2,7 @@
 
 u(t) = Σ residues to the right of the path + (1/π) Im ∫ û e^{σt} dσ along its upper half. What is proved on the way:
 
-    that the path may leave the physical region   strip.py near, far.py far out
+    that the path may leave the physical region   work.py near, far.py far out
     the steady part                               work.py, as the image at the loads' frequencies
     the residues                                  residues.py, from the certified induced frequencies
     the integral                                  integral.py

@@ -4,7 +4,7 @@ from mpsolve import Problem, tracks, vehicles
 from mpsolve.errors import EffortError
 from mpsolve.numbers.balls import acb, arb, precision
 from mpsolve.proof.effort import Effort
-from mpsolve.vibration.balls.strip import leftmost, prove_strip
+from mpsolve.vibration.balls.work import leftmost, prove_strip
 from mpsolve.vibration.path import Path
 
 BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")

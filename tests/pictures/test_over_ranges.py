@@ -1,5 +1,7 @@
 """The picture of a box under proof: a rectangle for each open part, a mark at the counterexample, a panel a pair."""
 
+from __future__ import annotations
+
 import xml.etree.ElementTree as ET
 from fractions import Fraction
 
@@ -7,8 +9,9 @@ import pytest
 from free_cases import BEAM, PAIR
 
 from mpsolve import Problem
+from mpsolve.loci.lines import frequency_lines
 from mpsolve.outcome import Reason, Status
-from mpsolve.pictures.open_boxes import open_boxes
+from mpsolve.pictures.over_ranges import loci_picture, open_boxes
 from mpsolve.ranges.robust_answer import Robust
 from mpsolve.report.ranges_asked import asked
 
@@ -46,3 +49,16 @@ def test_the_counterexample_is_marked() -> None:
     assert not parts
     assert "unstable here" in words
     assert "Unstable at the point that is marked" in words
+
+
+def test_lines_and_crossings_are_drawn() -> None:
+    problem = Problem(BEAM, PAIR, v="0.7")
+    question = asked(problem, "", ["v=2.16..2.88 km/h"])
+    found = frequency_lines(problem, over=question.over, points=5, check=False)
+    picture = loci_picture(found, question)
+    root = ET.fromstring(picture)
+    words = [element.text or "" for element in root.iter() if element.tag.endswith("text")]
+    assert "v, km/h" in words
+    assert sum(word.startswith("line ") for word in words) == len(found.lines) == 2
+    (crossing,) = [one for line in found.lines for one in line.crossings]
+    assert f"{float(crossing.value) * 3.6:.4g} km/h" in words
