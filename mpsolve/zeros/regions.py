@@ -28,7 +28,7 @@ def exact_point(z: object, key: str) -> Point:
 
 @frozen
 class Rectangle:
-    """The open rectangle re_min < Re < re_max, im_min < Im < im_max; exact bounds, of q in SI texts with units too."""
+    """The open rectangle re_min < Re < re_max, im_min < Im < im_max; exact bounds; texts with units for q in SI."""
 
     re_min: Fraction
     re_max: Fraction
