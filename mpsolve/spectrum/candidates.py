@@ -89,14 +89,14 @@ def find_roots(
     def all_found(roots: Any) -> bool:
         if on_the_way is not None:
             on_the_way()
-        return stood_for(roots, [1] * len(roots)) >= count
+        return stood_for(roots, [1.0] * len(roots)) >= count
 
-    def stood_for(roots: Any, times: list[int]) -> int:
+    def stood_for(roots: Any, times: list[float]) -> float:
         new = zip(roots[before:].tolist(), times[before:], strict=True)
         return sum(weight(q) * n for q, n in new if any(area.counts(q) for area in areas))
 
     def with_crowds(roots: Any) -> bool:
-        return all_found(roots) or stood_for(roots, _crowds(function, roots).tolist()) >= count
+        return all_found(roots) or stood_for(roots, _crowds(function, roots).tolist()) > count - 0.5
 
     few = count <= _FEW
     sprung = on_frozen_track(function, max(area.size for area in areas))
@@ -127,11 +127,12 @@ def _from_hints(function: Floats, hints: Any, level: int, count: int) -> Callabl
 
 
 def _crowds(function: Floats, roots: Any) -> Any:
-    """How many zeros of Δ̂ are as close to each as floats tell them apart, by the mean of Δ̂′/Δ̂ on a circle."""
+    """How many zeros of Δ̂ each stands for: those in a circle by the mean of Δ̂′/Δ̂ on it, shared by all there."""
     circle = _CROWD * np.abs(roots)[:, None] * np.exp(2j * np.pi * np.arange(_ROUND) / _ROUND)
+    there = (np.abs(roots[:, None] - roots) < _CROWD * np.abs(roots)[:, None]).sum(1)
     step = _step(function, (roots[:, None] + circle).ravel(), np.zeros(0, complex))
     number = (-circle.ravel() / step).real.reshape(circle.shape).mean(1)
-    return np.where(np.isfinite(number), np.rint(number), 1).astype(int)
+    return np.maximum(np.where(np.isfinite(number), np.rint(number) / np.maximum(there, 1), 1), 1)
 
 
 def search(reduced: Reduced, area: Area, hints: Any, levels: int = 2) -> Any:

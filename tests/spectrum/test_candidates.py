@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from mpsolve import Case, Problem, tracks, vehicles
+from mpsolve.characteristic.floats import Floats
 from mpsolve.presets.written import problem_of
 from mpsolve.problem.cases import as_problem
 from mpsolve.problem.line import on_line
 from mpsolve.problem.reduced import reduce_problem
 from mpsolve.proof.effort import Effort
-from mpsolve.spectrum.candidates import Area, both, find_roots, nearest_root, search
+from mpsolve.spectrum.candidates import Area, _crowds, both, find_roots, nearest_root, search
 from mpsolve.spectrum.sheet import count_sheet
 
 WIRE = Problem(tracks.String(T=27_000, m="1.07", k=500, c=2), vehicles.Mass("8.5"), v=100)
@@ -87,3 +89,14 @@ def test_roots_that_floats_cannot_tell_apart_end_the_search_and_come_first() -> 
     assert steps[0] < 60  # no grid was searched
     first = np.abs(found[: 10 - len(found)] * unit)
     assert (first > 60).all()  # the car's own six are apart
+
+
+def test_roots_in_one_place_share_the_zeros_there() -> None:
+    """Two bogies of a coach, 10⁻⁸ apart in what floats tell: two zeros in all, whether one or both were found."""
+    reduced = reduce_problem(problem_of("ballasted", "manchester")[0])
+    function, unit = Floats(reduced), float(reduced.frequency_unit)
+    near = nearest_root(reduced, (72.07 + 8.69j) / unit)
+    assert near is not None
+    alone, both_found = np.array([near]), np.array([near, near * (1 + 1e-9)])
+    assert _crowds(function, alone).sum() == pytest.approx(2)
+    assert _crowds(function, both_found).sum() == pytest.approx(2)
