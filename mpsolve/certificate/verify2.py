@@ -2278,7 +2278,7 @@ def read_paths(values: Any, kinds: str) -> list[Path]:
         keys(value, "kind points")
         require(value["kind"] == kind, f"a path is of another kind than {kind}")
         out.append(Path(kind, read_points(value["points"])))
-    require(sum(len(p.points) for p in out) <= MAX_PIECES, "there are too many pieces")
+    require(sum(len(p.points) - 1 for p in out) <= MAX_PIECES, "there are too many pieces")
     return out
 
 
