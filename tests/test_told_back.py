@@ -129,3 +129,8 @@ def test_on_the_command_line(tmp_path: Path) -> None:
     ):
         shown = CliRunner().invoke(cli, arguments)
         assert (shown.exit_code, told in shown.stderr) == (2, True), (arguments, shown.stderr)
+
+
+def test_a_foundation_given_for_a_rail_seat_is_divided_by_the_distance_of_the_sleepers() -> None:
+    with pytest.raises(InputError, match=r"divided by the distance of the sleepers, as 25 kN/mm/\(0.6 m\)"):
+        tracks.EulerBernoulli(EI=1, m=60, k="25 kN/mm")

@@ -56,17 +56,13 @@ def asked_region(reduced: Reduced, region: object) -> Region:
         return region
     given = checked_region(region)
     if isinstance(given, Below) and given.height > low:
-        raise InputError("region", f"is {_below_words(given)}, but {_cut_words(low)}: {_lower('h', low)}")
+        raise InputError("region", f"reaches up to {shown(given.height)}, but {_cut_words(low)}: {_lower('h', low)}")
     if isinstance(given, Rectangle) and given.im_max > max(low, Fraction(0)):
         stated = f"is {shown(given.im_max)}, but {_cut_words(low)}"
         raise InputError("region.im_max", f"{stated}: {_lower('im_max', low)}")
     if isinstance(given, (Below, Rectangle)):
         return given
     raise InputError("region", f'is {region!r}: give "unstable", ("below", h) or a Rectangle')
-
-
-def _below_words(region: Below) -> str:
-    return f'("below", {shown(region.height)})'
 
 
 def _cut_words(low: Fraction) -> str:

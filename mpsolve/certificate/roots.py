@@ -14,6 +14,7 @@ from mpsolve.errors import InputError
 from mpsolve.numbers.balls import rational_ball
 from mpsolve.numbers.result import Cost
 from mpsolve.numbers.rootball import Symmetry
+from mpsolve.numbers.written import Measured
 from mpsolve.outcome import Reason, Status
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort
@@ -58,7 +59,7 @@ def roots(
     """
     if not isinstance(region, (Rectangle, Disc, Polygon, HalfPlane)):
         raise InputError("region", f"is of type {type(region).__name__}: give Rectangle, Disc, Polygon or HalfPlane")
-    if isinstance(region, Rectangle) and region.has_units:
+    if isinstance(region, Rectangle) and any(isinstance(bound, Measured) for bound in region.bounds):
         raise InputError("region", "has bounds with units, but z is a bare number: leave them out")
     digits, budget = checked_digits(digits), budget_of(effort)
     declared = _checked_cuts(cuts)

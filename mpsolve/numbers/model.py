@@ -21,6 +21,7 @@ from mpsolve.numbers.spoken import decimal
 from mpsolve.numbers.units import in_unit
 from mpsolve.numbers.written import as_given
 
+Interval: TypeAlias = tuple[Fraction, Fraction]
 Rational: TypeAlias = Any
 """An exact number: int, Fraction, decimal or ratio in a text, or a float, which stands for its shortest decimal."""
 
@@ -48,10 +49,8 @@ class Quantity:
         return self._held(value, key, True)
 
     def _held(self, value: object, key: str, end: bool) -> Fraction:
-        number, least = (
-            rational(value, key, self.unit, self.meaning),
-            self.at_least if self.above is None else self.above,
-        )
+        number = rational(value, key, self.unit, self.meaning)
+        least = self.at_least if self.above is None else self.above
         if least is not None and (number < least or (number == self.above and not end)):
             must = "not be below" if self.above is None else "be above"
             raise InputError(key, f"is {shown(number, value)}, but must {must} {least}: give the {self.told}")
@@ -229,9 +228,7 @@ def shown(number: Fraction, given: object = None) -> str:
     return as_given(given, Exact.parse(number).short())
 
 
-def checked_range(
-    value: Any, key: str, unit: str | None = None, least: int | None = None
-) -> tuple[Fraction, Fraction]:
+def checked_range(value: Any, key: str, unit: str | None = None, least: int | None = None) -> Interval:
     """Two rational ends in order, none below `least`; texts may have units where `unit` is one."""
     try:
         first, last = value
@@ -246,7 +243,7 @@ def checked_range(
     return low, high
 
 
-def velocities(over: Any, example: str) -> tuple[Fraction, Fraction]:
+def velocities(over: Any, example: str) -> Interval:
     """The range of {"v": (low, high)}, 0 ≤ low < high; example: what a message shows of it."""
     if not isinstance(over, Mapping) or list(over) != ["v"]:
         raise InputError("over", f"is {over!r}: give the range of velocities, {example}")

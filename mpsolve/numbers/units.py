@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 from functools import lru_cache
+from math import pi
 from typing import Any, NoReturn
 
 from mpsolve.errors import InputError
@@ -47,7 +48,8 @@ _WHOLE: dict[str, Factor] = {
     "bar": (_F(100_000), (1, -1, -2)),
 }
 _PREFIXES = {"G": 9, "M": 6, "k": 3, "d": -1, "c": -2, "m": -3, "µ": -6, "u": -6, "n": -9}
-_CYCLES = {"Hz": "2π rad/s", "kHz": "2000π rad/s", "rpm": "2π/60 rad/s", "°": "π/180 rad", "deg": "π/180 rad"}
+_CYCLES = {"Hz": (2 * pi, "rad/s"), "kHz": (2000 * pi, "rad/s"), "rpm": (pi / 30, "rad/s")}
+_CYCLES |= dict.fromkeys(("°", "deg"), (pi / 180, "rad"))
 _COMMON = ("km/h", "kN/mm", "kN/m", "MN/m", "MN/m²", "kN m²", "N s/m²", "kN s/m", "kg/m", "mm", "km", "kN", "t", "kg")
 _WRITTEN = {"kmh": "km/h", "kmph": "km/h", "kmhr": "km/h", "mps": "m/s", "kgm": "kg/m"}
 _WRITTEN |= (
@@ -93,7 +95,7 @@ def measured(value: Any, unit: str, key: str, told: str = "") -> Any:
     if re.match(r"/\s*[0-9.]", given):
         stated = "a ratio has two whole numbers: write it so, or with the distance in brackets, as 145 kg/(0.6 m)"
         _refuse(value, key, f"but {stated}")
-    return Measured(Exact.parse(number, key).as_fraction() * _ratio(value, given, unit, key, told), value)
+    return Measured(Exact.parse(number, key).as_fraction() * _ratio(value, number, given, unit, key, told), value)
 
 
 def in_unit(value: object, unit: str, key: str, told: str = "") -> Fraction:
@@ -166,9 +168,7 @@ def _product(text: str, alone: bool) -> Factor:
 
 def _symbol(name: str) -> Factor:
     if name in _CYCLES:
-        raise ValueError(
-            f"is {_CYCLES[name]}, which no ratio gives exactly: write rad/s or rad, as many digits as wanted"
-        )
+        raise ValueError(f"has no exact ratio to {_CYCLES[name][1]}: write that, with as many digits as wanted")
     known = _WHOLE.get(name) or _PREFIXED.get(name)
     if known:
         return known
@@ -201,10 +201,14 @@ class _NoUnitError(ValueError):
         return f"{self.name!r} is no unit: {meant}"
 
 
-def _ratio(text: str, given: str, unit: str, key: str, told: str) -> Fraction:
+def _ratio(text: str, number: str, given: str, unit: str, key: str, told: str) -> Fraction:
     """How many `unit` a `given` is; 1 where they are written alike, as Hz and K, which are no SI products here."""
     if given == unit:
         return Fraction(1)
+    cycle, other = _CYCLES.get(given, (0.0, unit))
+    if cycle and factor(other)[1] == factor(unit)[1]:
+        value = f"{cycle * float(Fraction(number)):.10g} {other}"
+        _refuse(text, key, f"which is no rational number: write {value}, with as many digits as wanted")
     try:
         size, dimension = factor(given)
     except _NoUnitError as error:
@@ -221,7 +225,7 @@ def _ratio(text: str, given: str, unit: str, key: str, told: str) -> Fraction:
     return size / own
 
 
-_LAYERS = ("pads", "sleepers", "ballast", "ground")
+_LAYERS = ("pads", "sleepers", "ballast", "ground", "foundation")
 """What is known at rail seats, and is given per metre of track."""
 
 
