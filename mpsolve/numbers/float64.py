@@ -96,6 +96,16 @@ def distinct(x: Any) -> Any:
     return ordered[new]
 
 
+def lowest(f: Callable[[Any], Any], x: Reals, size: int, times: int) -> tuple[float, float]:
+    """(x, f) where f is least on this grid, then on one of `size` between the neighbours, so many times in all."""
+    for _ in range(times):
+        values = f(x)
+        k = int(np.nanargmin(values))
+        least = float(x[k]), float(values[k])
+        x = np.linspace(x[max(k - 1, 0)], x[min(k + 1, len(x) - 1)], size)
+    return least
+
+
 def value_at(x: Any, y: Any, c: Reals) -> Any:
     """Σ c[i, j] x^i y^j at arrays of one shape, by Horner's rule in x and then in y: numpy.polynomial's polyval2d."""
     table = np.reshape(c, (*np.shape(c), *(1,) * np.ndim(x)))
