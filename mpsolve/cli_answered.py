@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -76,8 +78,11 @@ def _by_default(
         one = next((ends for ends in ranges.near if ends[0] <= v <= ends[1]), ranges.near[0])
         return [answer(question.by_itself({"v": one, "scale.mass": MASS_FACTORS}), tell)]
     out: list[Said] = []
+    reached = Fraction(0)
     for ends in ranges.steps if defaults == "first" else ranges.near:
-        out.append(answer(question.by_itself({"v": ends}), tell))
+        skipped = (reached, ends[0]) if reached < ends[0] else None
+        out.append(answer(replace(question.by_itself({"v": ends}), skipped=skipped), tell))
+        reached = ends[1]
         if defaults == "first" and (out[-1].grows or not out[-1].answer.proved):
             break
     if len(out) > 1 and not out[-1].answer.proved and out[-1].asked.overs[0].low >= ranges.near[-1][1]:

@@ -59,33 +59,26 @@ def certify(
 
     source = read_source(file)
     path = certificate_path(source.path, output)
-    options = {"region": region_of(region, source.given), "digits": digits, "effort": effort_of(effort)}
+    options = {"region": region_of(region), "digits": digits, "effort": effort_of(effort)}
     with progress() as tell:
         spectrum = prove(source.given, progress=tell, **options)
     _report(spectrum, source.title, path, as_json, output is None)
     sys.exit(0 if spectrum.proved else UNDECIDED)
 
 
-def region_of(text: str | None, given: Any = None) -> Any:
-    """The region that an option names, as `certify` takes it; InputError where it names none.
-
-    Heights and bounds may have units, as in below="50 1/s", unless what is given is a case in the paper's ratios.
-    """
-    from mpsolve.numbers.units import measured
-    from mpsolve.problem.case import Case
+def region_of(text: str | None) -> Any:
+    """The region that an option names, as `certify` takes it; InputError where it names none."""
     from mpsolve.spectrum.regions import Rectangle
 
     if text in (None, "sheet", "unstable"):
         return text
     word, equals, height = str(text).partition("=")
     if equals and word.strip() == "below":
-        return ("below", height.strip() if isinstance(given, Case) else measured(height.strip(), "rad/s", "region"))
+        return ("below", height.strip())
     bounds = str(text).split(",")
     if len(bounds) != 4:
         raise InputError("region", f"is {text!r}: give unstable, below=H, RE_MIN,RE_MAX,IM_MIN,IM_MAX, or sheet")
-    if isinstance(given, Case):
-        return Rectangle(*bounds)
-    return Rectangle(*(measured(bound.strip(), "rad/s", "region") for bound in bounds))
+    return Rectangle(*(bound.strip() for bound in bounds))
 
 
 def _told(found: Spectrum) -> Spectrum:

@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import json
+from fractions import Fraction
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from click.testing import CliRunner
 
 from mpsolve import cli_answered
+from mpsolve.cli import cli
 from mpsolve.cli_answered import _by_default, _certify
 from mpsolve.errors import CertificateError
+from mpsolve.presets.written import input_file, problem_of
 from mpsolve.problem.inputfile import read_source
 from mpsolve.report.ranges_asked import Asked, asked
-from mpsolve.report.ranges_words import Said
+from mpsolve.report.ranges_words import Said, _skipped
 
 SOURCE = read_source("examples/two_layer_bogie.toml")
 PAIR = read_source("examples/rail_60e1.toml")
@@ -66,3 +70,36 @@ def test_parts_are_told_as_parts(monkeypatch: pytest.MonkeyPatch) -> None:
     one: Any = SimpleNamespace(name="onset", verdict="", answer=None, asked=None)
     assert cli_answered._data([one]) == {"question": "onset"}
     assert json.loads(json.dumps(cli_answered._data([one, one])))["parts"] == [{"question": "onset"}] * 2
+
+
+def sheared() -> Any:
+    """The ballast of a three-layer track with shear, whose waves run at √(47e6/(2657/3)) = 230.4 m/s."""
+    problem = problem_of("zhai-2004", "manchester")[0].changed("track.shear", "47 MN")
+    return SimpleNamespace(given=problem, title="")
+
+
+def test_velocities_round_a_wave_speed_are_skipped_and_said() -> None:
+    for defaults in ("near", "first"):
+        seen = questions(sheared(), defaults)
+        ends = [(one.skipped, one.over["v"]) for one in seen]
+        reached: Any = 0
+        for skipped, (low, high) in ends:  # no velocity is left out without a word
+            assert (skipped or (reached, low)) == (reached, low)
+            assert skipped is not None or low == reached
+            reached = high
+        (left_out,) = [skipped for skipped, _ in ends if skipped]
+        assert left_out[0] ** 2 < 47 * 10**6 / Fraction(2657, 3) < left_out[1] ** 2
+        (said,) = [line for one in seen for line in _skipped(one)]
+        assert said == (
+            "Nothing is said of v from 821 km/h to 837.6 km/h, round a wave speed "
+            "(shear waves of the ballast, √(shear/m_ballast)): certify decides single ones."
+        )
+
+
+def test_the_report_says_so(tmp_path: Path) -> None:
+    file = tmp_path / "wire.toml"
+    file.write_text(input_file("contact-wire"), "utf-8")
+    shown = CliRunner().invoke(cli, ["onset", str(file)])
+    assert (
+        "Nothing is said of v from 566.1 km/h to 577.6 km/h, round a wave speed (waves of the string" in shown.stdout
+    )

@@ -87,7 +87,7 @@ def frequencies(
     """
     plain = as_problem(problem)
     flat = entries_of(problem, over or {})
-    height = None if region == "sheet" else _height(region)
+    height = None if region == "sheet" else _height(region, problem)
     if height is None:
         check_sheet(plain)
     order = alike(flat.over, len(flat))
@@ -116,8 +116,8 @@ def frequencies(
     )
 
 
-def _height(region: object) -> Fraction:
-    given = checked_region(region)
+def _height(region: object, problem: Given) -> Fraction:
+    given = checked_region(region, problem)
     if isinstance(given, Below):
         return given.height
     if isinstance(given, Rectangle):

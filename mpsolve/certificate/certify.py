@@ -29,7 +29,8 @@ def certify(
 ) -> Spectrum:
     """Every induced frequency of the problem in the region: a proof, or `Status.UNDECIDED` with reason and remedy.
 
-    problem: a Problem, or a Case or PhysicalCase of the paper; q, rectangles and h are in its units (rad/s in SI).
+    problem: a Problem, or a Case or PhysicalCase of the paper; q, rectangles and h are in its units (rad/s in
+    SI, where h and the bounds of a rectangle may be texts with a unit).
     region: "unstable" (Im q < 0), ("below", h) (Im q < h, h below the branch cuts), a `Rectangle`, or "sheet" (the
     whole physical sheet, of masses on the paper's beam while its cuts lie on one line). Left out, it is "sheet" for
     the paper's beam with few masses, else ("below", h) for an h near the lowest cut, else "unstable"; the answer's
@@ -53,7 +54,7 @@ def certify(
 
     meant, digits = as_problem(problem), checked_digits(digits)
     options: dict[str, Any] = {"digits": digits, "progress": progress, "check": check}
-    asked = default_region(problem, meant) if region is None else checked_region(region)
+    asked = default_region(problem, meant) if region is None else checked_region(region, problem)
     if effort is not None and region is None:
         effort = effort.half()  # the rest is for the regions that are asked for instead
 

@@ -58,6 +58,8 @@ def roots(
     """
     if not isinstance(region, (Rectangle, Disc, Polygon, HalfPlane)):
         raise InputError("region", f"is of type {type(region).__name__}: give Rectangle, Disc, Polygon or HalfPlane")
+    if isinstance(region, Rectangle) and region.has_units:
+        raise InputError("region", "has bounds with units, but z is a bare number: leave them out")
     digits, budget = checked_digits(digits), budget_of(effort)
     declared = _checked_cuts(cuts)
     given = read_function(f, derivative, assume_analytic)

@@ -24,6 +24,7 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.deadline import in_time
 from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
+from mpsolve.spectrum.behind import BEHIND
 from mpsolve.spectrum.count import AT_REST, Count, count_roots, line_for
 from mpsolve.spectrum.lossless import PASSIVE, none_unstable, passive_everywhere
 from mpsolve.spectrum.premises import require_premises
@@ -38,7 +39,7 @@ MAX_DIGITS, MIN_DIGITS = MOST_DIGITS, 15
 _EVALUATIONS = 200_000  # about a minute; most problems take some thousands
 _LONG = 8  # contacts: under a stated effort strips are counted first; fewer are counted as a whole in as much time
 _ROOMS = (1.8, 2.6)  # for a verifier that refuses a piece
-_CLOSED = (AT_REST, PASSIVE)
+_CLOSED = (AT_REST, PASSIVE, BEHIND)
 _PART = "ask for a Rectangle round the part that matters"
 _REMEDY = "report this as a fault, with the input"
 
@@ -182,8 +183,8 @@ def _closing(reduced: Reduced, count: AnyCount) -> str:
     """What proves that no root is missed."""
     if isinstance(count, SheetCount):
         return closing_words(reduced, count)
-    if count.why == PASSIVE:
-        return PASSIVE
+    if count.why in (PASSIVE, BEHIND):
+        return count.why
     at_rest = count.beyond is None and isinstance(count.region, (HalfPlane, Below)) and count.region.radius is None
     if at_rest:
         return AT_REST

@@ -2403,6 +2403,28 @@ def count_roots(walker: Walker, region: Region, paths: Sequence[Path], theorem: 
     return whole(number)
 
 
+def check_behind(vehicle: Bodies, first: Mark) -> None:
+    """No root in Im q < 0: no wave runs ahead of the one place that is touched (SPEC2, section 5)."""
+    require(first.known.nodes.up == 0, "waves run ahead of the contacts")
+    require(len(vehicle.sites) == 1, "the track is touched at several places")
+    nc = vehicle.B.ncols()
+    forces = vehicle.B.tolist() + [
+        [fmpq(int(i == j and bool(h))) for j in range(nc)] for i, h in enumerate(vehicle.h)
+    ]
+    require(fmpq_mat(forces).rank() == nc, "contacts share a force that a rail at rest does not determine")
+
+
+def count_behind(walker: Walker, region: Region, values: Any, start: Any, track: Track) -> int:
+    """The number of roots in a half-plane, or below a height, where none is in Im q < 0."""
+    require(region.kind in ("unstable", "below"), "this region needs no theorem")
+    paths = read_paths(values, "link turn" if region.kind == "below" else "")
+    if not paths:
+        return 0
+    disc = replace(region, kind="below disc")
+    check_paths(disc, paths, start)
+    return count_roots(walker, disc, paths, None, track)
+
+
 # --- the whole sheet --------------------------------------------------------------------------------------
 
 
@@ -3005,6 +3027,11 @@ def spectrum(content: dict[str, Any]) -> str:
             require(content["theorem"] is None, "at rest no theorem is needed")
             check_passive_track(track)
             number = 0
+        elif content["theorem"] == {"half": "behind"}:
+            check_no_cut(track, region.height)
+            walker.begin(start)
+            check_behind(vehicle, walker.marks[fmpq(0), -start])
+            number = count_behind(walker, region, content["paths"], start, track)
         else:
             paths = read_paths(content["paths"], "link turn" if track.v == 0 else KINDS[region.kind])
             check_no_cut(track, region.height)
@@ -3048,7 +3075,7 @@ def words(content: Any, track: Track, vehicle: Bodies, region: Region, roots: Se
         sign = "±" if root.pair else ""
         more = f" ({root.multiplicity} roots)" if root.multiplicity > 1 else ""
         axis = " (imaginary)" if not root.pair and root.z[0] == 0 and root.multiplicity == 1 else ""
-        said.append(f"  q = {sign}{x:.15g}{y:+.15g}i within {float(arb(root.radius)):.2g}{more}{axis}")
+        said.append(f"  q ≈ {sign}{x:.15g}{y:+.15g}i, in a ball of radius {two_digits(root.radius)}{more}{axis}")
     if vehicle.neutral:
         said.append(f"  and {vehicle.neutral} neutral at q = 0 (a coordinate without spring or contact), named apart")
     if vehicle.unfelt:
@@ -3062,6 +3089,11 @@ def words(content: Any, track: Track, vehicle: Bodies, region: Region, roots: Se
         left = " + ".join(f"({polynomial_words(x)}) u{j + 1}" for j, x in enumerate(row) if x)
         said.append(f"  {left} = {'load' if k == track.loaded else '0'}")
     return "\n".join([*said, f"  velocity {track.v}; {vehicle_words(content['equations']['vehicle'])}"])
+
+
+def two_digits(radius: Any) -> str:
+    """Not less than a radius > 0, however small it is."""
+    return str((arb(radius) * 1.06).str(2, radius=False))
 
 
 def vehicle_words(value: Any) -> str:

@@ -1241,8 +1241,8 @@ def crossings(claim: Any, zeros: Sequence[Zero], box: Box, at_: Sequence[Any], u
             f"roots with Im q < 0 before, between and behind: {', '.join(map(str, counts))}"]  # fmt: skip
     for zero in inside:
         x, q = float(arb(zero.x[0])), float(arb(zero.q[0]))
-        said.append(f"  at {x:.15g} within {float(arb(zero.x[1])):.2g}, q = {q:.15g}"
-                    + ("" if q else " exactly") + f", {zero.gained:+d}")  # fmt: skip
+        root = f"q ≈ {q:.15g}" if zero.q[0] else "q = 0 exactly"
+        said.append(f"  at ≈ {x:.15g}, in a ball of radius {spectra.two_digits(zero.x[1])}, {root}, {zero.gained:+d}")
     return said
 
 

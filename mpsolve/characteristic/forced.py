@@ -42,7 +42,7 @@ def receptance(track: Any, xi: Any, omega: Any, v: object = 0) -> Complexes:
         raise InputError("track", f"is of type {type(track).__name__}: give one of mpsolve.tracks")
     velocity = rational(v, "v", "m/s", "velocity")
     if velocity < 0:
-        raise InputError("v", f"is {shown(velocity)}, but must not be below 0: x runs ahead of the force")
+        raise InputError("v", f"is {shown(velocity, v)}, but must not be below 0: x runs ahead of the force")
     places, points = _listed("xi", xi, float), _listed("omega", omega, complex)
     if (points.imag > 0).any():
         raise InputError("omega", "lies above the real axis, where the cuts may be: give Im ω ≤ 0")

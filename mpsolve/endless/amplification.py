@@ -21,11 +21,12 @@ from mpsolve.characteristic.start import start
 from mpsolve.errors import EffortError, InputError, PrecisionError
 from mpsolve.numbers.arrays import Complexes, Reals, Truths
 from mpsolve.numbers.jets import UP, Jet, nearest
-from mpsolve.numbers.model import range_from_0
+from mpsolve.numbers.model import checked_range
 from mpsolve.numbers.plain import float_beside
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
 from mpsolve.passivity.far import prove_tail
+from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
@@ -178,7 +179,7 @@ def amplification(
         raise InputError("problem", "has one contact: give a train of at least two")
     if isinstance(tolerance, bool) or not 1e-12 <= tolerance <= 1:
         raise InputError("tolerance", f"is {tolerance!r}: give a relative width from 1e-12 to 1")
-    ends = _band(reduced, band)
+    ends = _band(reduced, band, None if isinstance(problem, Case) else "rad/s")
     low, high = (float_beside(x / reduced.frequency_unit, up) for x, up in zip(ends, (False, True), strict=True))
     tell("stability", 0.0)
     budget = begun(effort, _evaluations(reduced))
@@ -210,12 +211,12 @@ def _evaluations(reduced: Reduced) -> int:
     return max(_LEAST, min(_EVALUATIONS, _EVALUATIONS * 1024 // size**2))
 
 
-def _band(reduced: Reduced, band: object) -> tuple[Fraction, Fraction]:
+def _band(reduced: Reduced, band: object, unit: str | None) -> tuple[Fraction, Fraction]:
     if band is None:
         tail = prove_tail(reduced.guide, reduced.smallest_gap) if reduced.guide.v else None
         top = Fraction(4.0 if tail is None else tail.X) * reduced.frequency_unit
         return (Fraction(0) if _at_zero(reduced) else top / 1000), top
-    low, high = range_from_0(band, "band")
+    low, high = checked_range(band, "band", unit, 0)
     for x in (low, high):
         nearest(x)
     return low, high

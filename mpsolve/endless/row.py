@@ -60,7 +60,7 @@ def row_of(problem: Given, spacing: object) -> Row:
     if d <= span:
         least = "0" if not span else f"the vehicle's own length between contacts, {shown(span)}"
         raise InputError(
-            "spacing", f"is {shown(d)}, but must be above {least}: give the distance to the next vehicle"
+            "spacing", f"is {shown(d, spacing)}, but must be above {least}: give the distance to the next vehicle"
         )
     return Row(one, d)
 

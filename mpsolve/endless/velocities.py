@@ -21,9 +21,10 @@ from mpsolve.endless.row_scope import Covered, cover_row, row_scope
 from mpsolve.endless.seek import first_where, threshold_of
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import arb, precision, rational_ball
-from mpsolve.numbers.model import range_from_0, shown
+from mpsolve.numbers.model import checked_range, shown
 from mpsolve.numbers.result import Result
 from mpsolve.outcome import Reason, Status
+from mpsolve.problem.case import Case
 from mpsolve.problem.cases import Given
 from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
@@ -98,7 +99,7 @@ def train_velocities(
     answer keeps what is computed and what is proved at single velocities.
     Raises InputError as `infinite_train` does, for a range that is none, and for one that holds a wave speed.
     """
-    low, high = range_from_0(v, "v")
+    low, high = checked_range(v, "v", None if isinstance(problem, Case) else "m/s", 0)
     row, tell = row_of(problem, spacing), progress or silent
     require_premises(row.reduced, HalfPlane())
     low = from_above_rest(row.problem, {"v": (low, high)})["v"][0]

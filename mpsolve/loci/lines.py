@@ -28,6 +28,7 @@ from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.answer import Interval, Spent
 from mpsolve.ranges.scope import OpenError, checked_over, from_above_rest, one_path, scope_of
+from mpsolve.spectrum.regions import Below, checked_region
 
 NOTE = "no certificate states lines yet"
 _BOXES = 1_000_000  # that an answer may take unless effort says otherwise
@@ -62,6 +63,9 @@ def frequency_lines(
     path = one_path(ranges)
     values = _values(points, path, ranges[path])
     tell = progress or silent
+    if isinstance(region, tuple):
+        below = checked_region(region, problem)
+        region = ("below", below.height) if isinstance(below, Below) else region
     asked = "sheet" if region is None and _on_paper(problem, given, path, ranges[path]) else region
     with one_thread():
         found = _find(given, ranges, values, asked, checked_digits(digits), effort, tell, check)

@@ -19,6 +19,7 @@ from mpsolve.frozen import frozen
 from mpsolve.numbers.exact import Exact, Number
 from mpsolve.numbers.spoken import decimal
 from mpsolve.numbers.units import in_unit
+from mpsolve.numbers.written import as_given
 
 Rational: TypeAlias = Any
 """An exact number: int, Fraction, decimal or ratio in a text, or a float, which stands for its shortest decimal."""
@@ -40,11 +41,20 @@ class Quantity:
 
     def checked(self, value: object, key: str) -> Fraction:
         """The exact value of `value`; InputError under `key` where it breaks a bound."""
-        number = rational(value, key, self.unit, self.meaning)
-        if self.above is not None and not number > self.above:
-            raise InputError(key, f"is {shown(number)}, but must be above {self.above}: give the {self.told}")
-        if self.at_least is not None and not number >= self.at_least:
-            raise InputError(key, f"is {shown(number)}, but must not be below {self.at_least}: give the {self.told}")
+        return self._held(value, key, False)
+
+    def end(self, value: object, key: str) -> Fraction:
+        """The same as an end of a range, which may be a bound that excludes its own value."""
+        return self._held(value, key, True)
+
+    def _held(self, value: object, key: str, end: bool) -> Fraction:
+        number, least = (
+            rational(value, key, self.unit, self.meaning),
+            self.at_least if self.above is None else self.above,
+        )
+        if least is not None and (number < least or (number == self.above and not end)):
+            must = "not be below" if self.above is None else "be above"
+            raise InputError(key, f"is {shown(number, value)}, but must {must} {least}: give the {self.told}")
         return number
 
     @property
@@ -214,38 +224,30 @@ def typed(value: Any) -> str:
     return str(value) if value.denominator == 1 else repr(decimal(value))
 
 
-def shown(number: Fraction) -> str:
-    """A short text of an exact number for messages."""
-    return Exact.parse(number).short()
+def shown(number: Fraction, given: object = None) -> str:
+    """A short text of an exact number for messages, or the text with a unit that gave it."""
+    return as_given(given, Exact.parse(number).short())
 
 
-def checked_range(value: Any, key: str) -> tuple[Exact, Exact]:
-    """Two rational ends in order."""
+def checked_range(
+    value: Any, key: str, unit: str | None = None, least: int | None = None
+) -> tuple[Fraction, Fraction]:
+    """Two rational ends in order, none below `least`; texts may have units where `unit` is one."""
     try:
-        low, high = value
+        first, last = value
     except (TypeError, ValueError):
         raise InputError(key, f"is {value!r}: give a range (lo, hi)") from None
-    low, high = Exact.parse(low, key), Exact.parse(high, key)
-    if not (low.is_rational and high.is_rational):
-        raise InputError(key, "has an irrational end: give decimals or ratios p/q")
+    low, high = (rational(end, key, unit) for end in (first, last))
     if not low < high:
-        raise InputError(key, f"ends at {high.short()}, not above its start {low.short()}: give the ends in order")
+        stated = f"ends at {shown(high, last)}, not above its start {shown(low, first)}"
+        raise InputError(key, f"{stated}: give the ends in order")
+    if least is not None and low < least:
+        raise InputError(key, f"starts at {shown(low, first)}, below {least}: give {least} or more")
     return low, high
-
-
-def range_from_0(value: Any, key: str) -> tuple[Fraction, Fraction]:
-    """Two rational ends in order, none below 0."""
-    low, high = checked_range(value, key)
-    if low.sign < 0:
-        raise InputError(key, f"starts at {low.short()}, below 0: give 0 or more")
-    return low.as_fraction(), high.as_fraction()
 
 
 def velocities(over: Any, example: str) -> tuple[Fraction, Fraction]:
     """The range of {"v": (low, high)}, 0 ≤ low < high; example: what a message shows of it."""
     if not isinstance(over, Mapping) or list(over) != ["v"]:
         raise InputError("over", f"is {over!r}: give the range of velocities, {example}")
-    low, high = checked_range(over["v"], "over['v']")
-    if low.sign < 0:
-        raise InputError("over['v']", f"starts at {low.short()}: give v ≥ 0, for the track is the same both ways")
-    return low.as_fraction(), high.as_fraction()
+    return checked_range(over["v"], "over['v']", "m/s", 0)

@@ -32,17 +32,18 @@ class Reduction:
     right: acb_mat
 
     @staticmethod
-    def of(A: acb_mat, near_root: bool = False) -> Reduction:
+    def of(A: acb_mat, near_root: bool = False, moves: acb_mat | None = None) -> Reduction:
         """The reduction for matrices near the midpoint of A; `PrecisionError` where float64 does not reach.
 
         near_root: treat A as nearly singular at any rate, so that s is a smooth function next to a root.
+        moves: of what size A changes; a row that is 0 at the root is then not taken for small everywhere.
         """
-        n = A.nrows()
-        middle = np.array([[complex(A[i, j]) for j in range(n)] for i in range(n)])
+        middle = _floats(A)
         if not np.isfinite(middle).all():
             raise PrecisionError("the characteristic matrix is out of float64's range here")
+        size = np.abs(middle) + (0 if moves is None else np.abs(_floats(moves)))
         try:
-            left, right = _regular(middle) if not near_root and _is_regular(middle) else _bordered(middle)
+            left, right = _regular(middle) if not near_root and _is_regular(middle) else _bordered(middle, size)
         except np.linalg.LinAlgError:
             raise PrecisionError("the characteristic matrix has a kernel of more than one dimension here") from None
         if not np.isfinite(left).all():
@@ -143,15 +144,19 @@ def _exact(a: Any) -> acb_mat:
     return acb_mat(n, n, [exact_ball(complex(x)) for x in a.ravel()])
 
 
-def _equilibrated(a: Any) -> tuple[Reals, Reals, Complexes]:
-    """Powers of two r, c that bring the rows and columns of r a c near 1, and r a c."""
-    r = np.exp2(-np.round(np.log2(np.maximum(np.abs(a).max(1), 1e-300))))
-    c = np.exp2(-np.round(np.log2(np.maximum(np.abs(r[:, None] * a).max(0), 1e-300))))
+def _floats(A: acb_mat) -> Complexes:
+    return np.array([[complex(x) for x in row] for row in A.tolist()])
+
+
+def _equilibrated(a: Any, size: Any) -> tuple[Reals, Reals, Complexes]:
+    """Powers of two r, c that bring the rows and columns of r · size · c near 1, and r a c."""
+    r = np.exp2(-np.round(np.log2(np.maximum(size.max(1), 1e-300))))
+    c = np.exp2(-np.round(np.log2(np.maximum((r[:, None] * size).max(0), 1e-300))))
     return r, c, r[:, None] * a * c
 
 
 def _is_regular(a: Any) -> bool:
-    sizes = np.linalg.svd(_equilibrated(a)[2], compute_uv=False)
+    sizes = np.linalg.svd(_equilibrated(a, np.abs(a))[2], compute_uv=False)
     return bool(sizes[-1] > _SINGULAR * sizes[0])
 
 
@@ -159,9 +164,9 @@ def _regular(a: Any) -> tuple[Any, Any]:
     return np.linalg.inv(a), np.eye(len(a), dtype=complex)
 
 
-def _bordered(a: Any) -> tuple[Any, Complexes]:
+def _bordered(a: Any, size: Any) -> tuple[Any, Complexes]:
     """By the singular vectors of the least singular value."""
-    r, c, even = _equilibrated(a)
+    r, c, even = _equilibrated(a, size)
     U, _, V = np.linalg.svd(even)
     v, u = V[-1].conj() * c, U[:, -1] / r
     j = int(np.argmax(np.abs(V[-1])))

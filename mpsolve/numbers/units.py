@@ -15,7 +15,7 @@ from typing import Any, NoReturn
 from mpsolve.errors import InputError
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.unit_names import Dimension, unit_of
-from mpsolve.numbers.written import HOW
+from mpsolve.numbers.written import HOW, Measured
 
 Factor = tuple[Fraction, Dimension]
 
@@ -93,7 +93,7 @@ def measured(value: Any, unit: str, key: str, told: str = "") -> Any:
     if re.match(r"/\s*[0-9.]", given):
         stated = "a ratio has two whole numbers: write it so, or with the distance in brackets, as 145 kg/(0.6 m)"
         _refuse(value, key, f"but {stated}")
-    return Exact.parse(number, key).as_fraction() * _ratio(value, given, unit, key, told)
+    return Measured(Exact.parse(number, key).as_fraction() * _ratio(value, given, unit, key, told), value)
 
 
 def in_unit(value: object, unit: str, key: str, told: str = "") -> Fraction:

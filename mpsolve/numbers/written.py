@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from decimal import Decimal
 from fractions import Fraction
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from mpsolve.errors import InputError
 
@@ -20,7 +20,41 @@ _RATIO = r"(?P<numerator>[0-9_]+)\s*/\s*(?P<denominator>[0-9_]+)"
 _NUMBER = re.compile(rf"(?:{_RATIO}|{_UNSIGNED})")
 SIGNED = re.compile(r"(?P<sign>[+-]?)(?:root4\(\s*(?P<radicand>[^()]*?)\s*\)|(?P<plain>[^()]+))")
 _BAD_UNDERSCORE = re.compile(r"(?<![0-9])_|_(?![0-9])")
+_LONG = 40
+"""Characters of a text that fits into a sentence."""
+_WITHOUT_UNIT = re.compile(r"[\s0-9+\-._/eE]*(root4\(.*)?")
 HOW = "write a decimal such as 0.67, a ratio such as 67/100, or root4(p/q)"
+
+
+class Measured(Fraction):
+    """An exact value, and the text with a unit of its own that gave it."""
+
+    __slots__ = ("text",)
+    text: str
+
+    def __new__(cls, value: Fraction, text: str) -> Measured:
+        self = super().__new__(cls, value)
+        self.text = text
+        return self
+
+    def __repr__(self) -> str:
+        return repr(Fraction(self))
+
+    def __reduce__(self) -> Any:
+        return Fraction, (self.numerator, self.denominator)
+
+    def __deepcopy__(self, _: object = None) -> Measured:
+        return self
+
+    __copy__ = __deepcopy__
+
+
+def as_given(given: object, short: str) -> str:
+    """How a message tells a number back: as the text with a unit that gave it, else `short`."""
+    text = given.text if isinstance(given, Measured) else given
+    if not isinstance(text, str) or len(text) > _LONG or _WITHOUT_UNIT.fullmatch(text):
+        return short
+    return text.strip()
 
 
 def short_text(rounded: Decimal, digits: int) -> str:
@@ -69,4 +103,4 @@ def refuse_text(text: str, key: str) -> NoReturn:
 
 def _shown(text: str) -> str:
     """Return `text` quoted and cut to a length that fits into a sentence."""
-    return repr(text if len(text) <= 40 else text[:37] + "…")
+    return repr(text if len(text) <= _LONG else text[: _LONG - 3] + "…")

@@ -10,6 +10,7 @@ from mpsolve.errors import InputError
 from mpsolve.numbers.exact import Exact
 from mpsolve.numbers.model import rational
 from mpsolve.numbers.units import split
+from mpsolve.numbers.written import Measured
 from mpsolve.problem.case import Case
 from mpsolve.problem.physical import PhysicalCase
 from mpsolve.problem.problem import Problem
@@ -58,10 +59,16 @@ def value_at(given: Given, path: str, value: object, key: str = "") -> Fraction:
     """
     asked = as_problem(given).quantity(path)
     if not isinstance(given, Case):
-        return rational(value, key or path, asked.unit, asked.meaning)
-    if isinstance(value, str) and split(value)[1]:
-        raise InputError(key or path, f"is {value!r}, but a Case holds the paper's ratios: give a number alone")
+        return asked.end(value, key or path)
+    refuse_units(value, key or path)
     return rational(value, key or path)
+
+
+def refuse_units(value: object, key: str) -> None:
+    """InputError for a text with a unit, where a Case is asked about."""
+    text = value.text if isinstance(value, Measured) else value
+    if isinstance(text, str) and split(text)[1]:
+        raise InputError(key, f"is {text!r}, but a Case holds the paper's ratios: give a number alone")
 
 
 def as_paper(given: Given) -> Case | PhysicalCase | None:

@@ -8,6 +8,7 @@ from itertools import pairwise
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.exact import Exact
+from mpsolve.numbers.written import as_given
 
 BUCKLED = "so the beam buckles without any load: lower the compression"
 
@@ -24,14 +25,14 @@ def errors_under(prefix: str) -> Iterator[None]:
 def above_zero(value: object, key: str, meaning: str) -> Exact:
     exact = Exact.parse(value, key)
     if exact.sign <= 0:
-        raise InputError(key, f"is {exact.short()}, but must be above 0: give the {meaning}")
+        raise InputError(key, f"is {as_given(value, exact.short())}, but must be above 0: give the {meaning}")
     return exact
 
 
 def at_least_zero(value: object, key: str, meaning: str) -> Exact:
     exact = Exact.parse(value, key)
     if exact.sign < 0:
-        raise InputError(key, f"is {exact.short()}, but must not be below 0: give the {meaning}")
+        raise InputError(key, f"is {as_given(value, exact.short())}, but must not be below 0: give the {meaning}")
     return exact
 
 

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 
 from mpsolve.errors import InputError
-from mpsolve.numbers.model import Entries, Model, Part, Quantity, nonnegative, positive, quantities, rational
+from mpsolve.numbers.model import Entries, Model, Part, Quantity, nonnegative, positive, quantities
 from mpsolve.numbers.several import Several
 from mpsolve.problem.checked import errors_under
 from mpsolve.problem.ratios import paths_of, ratio, ratios_of
@@ -92,7 +92,7 @@ def changed(
     """
     asked = quantity_of(track, vehicles, v, path)
     placed = ascending(vehicles)
-    number: Any = value if isinstance(value, Several) else rational(value, path, asked.unit, asked.meaning)
+    number: Any = value if isinstance(value, Several) else asked.end(value, path)
     if ratio(track, placed, path) is not None:
         return _ratio_changed(track, placed, v, path, number)
     if path == "v":

@@ -37,7 +37,7 @@ class Problem:
         velocity = rational(v, "v", "m/s", "velocity")
         if velocity < 0:
             raise InputError(
-                "v", f"is {shown(velocity)}, but must not be below 0: x runs ahead, turn the vehicles round"
+                "v", f"is {shown(velocity, v)}, but must not be below 0: x runs ahead, turn the vehicles round"
             )
         placed = _placed(vehicles)
         if not placed:

@@ -108,13 +108,14 @@ def sharpened(f: Analytic, image: Any, goal: int, onto: Callable[[Any], Any] | N
             if guard > _MOST_GUARD:
                 raise
             continue
-        image = ahead
+        if reached > known:  # else it may hold more than the root, such as a cut
+            image = ahead
         if reached < target:
             guard, loss = guard + target - reached, loss + target - reached
             if guard > _MOST_GUARD:
                 near = complex(image)
                 raise PrecisionError(f"the root near {near:.6g} could not be sharpened: it is too badly conditioned")
-        known = max(reached, 2)
+        known = max(known, reached, 2)
     return image
 
 

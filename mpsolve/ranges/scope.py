@@ -221,9 +221,11 @@ def checked_over(given: Given, over: object, endless: bool = False) -> dict[str,
         low = value_at(given, path, first)
         high: Any = None if last is None else value_at(given, path, last)
         if high is None and low < 0:
-            raise InputError(path, f"begins at {shown(low)}: without an upper end it must begin at 0 or above")
+            raise InputError(path, f"begins at {shown(low, first)}: without an upper end it must begin at 0 or above")
         if high is not None and not low < high:
-            raise InputError(path, f"ends at {shown(high)}, not above its start {shown(low)}: give the ends in order")
+            raise InputError(
+                path, f"ends at {shown(high, last)}, not above its start {shown(low, first)}: give the ends in order"
+            )
         out[path] = (low, high)
     require_ends(problem, out)  # theorems that need no family rest on it, too
     return out

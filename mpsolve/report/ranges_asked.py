@@ -22,6 +22,7 @@ class Asked:
     """given: of the file; problem: the same as a Problem; overs: the ranges, by default where the user gave none.
 
     slower: of an answer that speaks of v only from a small velocity on, though it was asked from 0 on.
+    skipped: the velocities before a default range of which nothing is asked, round a wave speed.
     """
 
     given: Given
@@ -30,6 +31,7 @@ class Asked:
     overs: tuple[Over, ...]
     by_default: bool = False
     slower: bool = False
+    skipped: tuple[Fraction, Fraction] | None = None
 
     @property
     def over(self) -> dict[str, tuple[Fraction, Fraction | None]]:

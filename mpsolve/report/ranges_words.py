@@ -19,6 +19,7 @@ from mpsolve.ranges.unstable import UnstableRanges
 from mpsolve.report.over_words import margin, onset_at, stable_throughout, unstable_beyond, unstable_from_start
 from mpsolve.report.ranges_asked import Asked
 from mpsolve.report.spectrum_words import NOT_PROVED
+from mpsolve.waves.speeds import wave_speeds
 
 CERTIFIED = (
     "Proved: a certificate with the equations, all boxes of frequency and parameters, and the roots at one point, "
@@ -206,13 +207,24 @@ _SLOWER = (
 )
 
 
+def _skipped(asked: Asked) -> list[str]:
+    """Velocities that the default ranges leave out."""
+    if asked.skipped is None:
+        return []
+    (over,), (low, high) = asked.overs, asked.skipped
+    speeds = wave_speeds(asked.problem.track).items()
+    names = ", ".join(name for name, square in speeds if low**2 <= square <= high**2)
+    part = f"{over.path} from {over.told(low)} to {over.told(high)}"
+    return [f"Nothing is said of {part}, round a wave speed ({names}): certify decides single ones."]
+
+
 def framed(lines: list[str], found: Answer, asked: Asked) -> str:
     """What is said of an answer: verdict, numbers; then the ranges, warnings, and how sure it is."""
     default = " (give others with --over)" if asked.by_default else ""
     lines = [*lines, f"The range: {asked.ranges}{default}."]
     limited = found.note if _speeds(found) else BEYOND if BEYOND in found.note else ""
     lines += [f"Note: {limited}."] if found.proved and limited else []
-    lines += [_SLOWER] if asked.slower else []
+    lines += [*([_SLOWER] if asked.slower else []), *_skipped(asked)]
     lines += [f"Warning: {reason}." for reason in asked.warnings]
     return "\n".join([*lines, trust(found)]) + "\n"
 

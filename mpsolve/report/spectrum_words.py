@@ -14,6 +14,7 @@ from mpsolve.problem.case import Case
 from mpsolve.problem.cases import as_problem
 from mpsolve.problem.line import line_height
 from mpsolve.report.vibration import Trend, trend
+from mpsolve.spectrum.behind import BEHIND
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Sheet
 from mpsolve.spectrum.spectrum import Root, Spectrum, disjoint
 
@@ -166,6 +167,8 @@ def _all_decay(spectrum: Spectrum) -> str:
         return "no vibration grows; some neither grow nor decay"
     if line_height(as_problem(spectrum.problem).track) == 0:
         return "nothing grows; without damping of the track vibrations need not decay"
+    if spectrum.closing == BEHIND:
+        return "nothing grows; what no damper of the vehicle holds need not decay"
     if not all(q.imag > 0 for q in spectrum.unfelt):
         return "no vibration grows; one that no contact feels need not decay"
     return "every vibration decays"

@@ -15,7 +15,6 @@ from mpsolve.characteristic.paths import ROOM, Paths
 from mpsolve.characteristic.start import Start, start
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
-from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.balls import arb, precision
 from mpsolve.numbers.float64 import short
 from mpsolve.numbers.jets import UP, Jet, U
@@ -26,13 +25,14 @@ from mpsolve.problem.reduced import Reduced
 from mpsolve.proof.cover import OpenPieceError
 from mpsolve.proof.definite import positive
 from mpsolve.proof.effort import Effort
+from mpsolve.spectrum.behind import BEHIND, all_behind
 from mpsolve.spectrum.closing import closing_argument
 from mpsolve.spectrum.on_frozen_track import on_rigid_rail
 from mpsolve.spectrum.partial import Partial, count_strips, holding_growth
 from mpsolve.spectrum.premises import open_at_rest, require_off_cuts, require_premises
 from mpsolve.spectrum.reasons import WavesMeetError
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
-from mpsolve.spectrum.sides import along_sides, side, whole_turn, zeros
+from mpsolve.spectrum.sides import along_sides, descent, down_at, whole_turn, zeros
 from mpsolve.tracks.at_rest import lowest_cut
 
 AT_REST = "nothing moves: a passive vehicle on a passive track has no root with Im q < 0"
@@ -48,7 +48,8 @@ class Count:
 
     beyond: the theorem that closes a half-plane; None for a disc or a rectangle, with `why` it is not there.
     half: which half of the sheet of a beam with its cuts on one line the points of a rectangle belong to, "lower" or
-    "upper"; they are then z = q − iη, in the upper half z̄. "" for points q.
+    "upper"; they are then z = q − iη, in the upper half z̄. "" for points q; "behind" or "passive" where that theorem
+    leaves no root in Im q < 0, so that paths, if any, are those of a disc.
     """
 
     region: Region
@@ -91,6 +92,10 @@ def count_roots(
     height = region.height if isinstance(region, Below) else Fraction(0)
     if region.radius is not None:
         return _disc(paths, first, region, height, "", effort)
+    if all_behind(reduced, first):
+        if height:
+            return _disc(paths, first, region, height, BEHIND, effort, "behind")
+        return Count(HalfPlane(), 0, first, (), None, BEHIND, effort.spent, "behind")
     if partial is not None and (rate := fastest_growth(reduced.guide)) is not None:
         partial.growth = rate * reduced.frequency_unit
     tell("passivity", 0.0)
@@ -121,8 +126,8 @@ def _half_plane(paths: Paths, first: Start, height: Fraction, beyond: Beyond | N
     h = scaled_height(reduced, height)
     rho = short(_least_reach(reduced, _AT_REST_REACH)) if beyond is None else beyond.rho
     chain = (
-        paths.plan("link", _descent(first, h), effort),
-        paths.plan("turn", _along(rho, h), effort),
+        paths.plan("link", descent(first.depth, h), effort),
+        paths.plan("turn", down_at(rho, h), effort),
         *((beyond.walls, beyond.axis) if beyond is not None else ()),
     )
     proved = paths.prove(chain, effort)
@@ -146,20 +151,22 @@ def _require_passive(rho: float, middle: Any, radius: Any) -> None:
         raise PrecisionError("the mobility at the corner of the contour is not passive to within its error")
 
 
-def _disc(paths: Paths, first: Start, region: Region, height: Fraction, why: str, effort: Effort) -> Count:
+def _disc(
+    paths: Paths, first: Start, region: Region, height: Fraction, why: str, effort: Effort, half: str = ""
+) -> Count:
     """Δ̂ ≠ 0 in the discs of the arc's pieces, so the half-disc holds as many roots as the polygon that goes round."""
     reduced = paths.arrays.reduced
     h, radius = scaled_height(reduced, height), _radius(reduced, region)
     arc = radius * np.exp(-1j * np.linspace(0, np.pi / 2, 33)[1:-1])
-    turn = np.concatenate([_along(radius, h), arc, [complex(0, -radius)]])
-    chain = (paths.plan("link", _descent(first, h), effort), paths.plan("turn", turn, effort, arc=radius))
+    turn = np.concatenate([down_at(radius, h), arc, [complex(0, -radius)]])
+    chain = (paths.plan("link", descent(first.depth, h), effort), paths.plan("turn", turn, effort, arc=radius))
     proved = paths.prove(chain, effort)
     with precision(64):
         total = zeros(-whole_turn(proved) / arb.pi())
     asked = getattr(region, "radius", None)
     exact = asked if asked is not None else _unscaled(reduced, radius)
-    held = Below(height, reach=exact, radius=exact) if height else HalfPlane(exact)
-    return Count(held, total, first, proved.paths, None, why, effort.spent)
+    held = Below(height, exact, None if half else exact) if height else HalfPlane(exact)
+    return Count(held, total, first, proved.paths, None, why, effort.spent, half)
 
 
 def _box(paths: Paths, box: Rectangle, effort: Effort) -> Count:
@@ -229,17 +236,3 @@ def _radius(reduced: Reduced, region: Region) -> float:
 def _least_reach(reduced: Reduced, least: float) -> float:
     """How far a count above the real axis goes at least: beyond what the vehicle does by itself."""
     return min(max(least, _BEYOND * float(np.abs(on_rigid_rail(reduced).imag).max(initial=0.0))), _MOST_REACH)
-
-
-def _descent(first: Start, h: float) -> Complexes:
-    """From the start along the imaginary axis to i h."""
-    down = -1j * first.depth * np.array([1, 0.75, 0.5, 0.3, 0.2, 0.1, 0.05, 0.02])
-    up = [0j, complex(0, h)] if h else [0j]
-    return np.concatenate([down.astype(np.complex64).astype(complex), up])
-
-
-def _along(rho: float, h: float) -> Complexes:
-    """From i h to ρ + i h and down to ρ."""
-    corner = complex(rho, h)
-    line = side(complex(0, h), corner, 24)
-    return np.concatenate([line, side(corner, rho + 0j, 4)[1:]]) if h else line

@@ -90,7 +90,7 @@ def _function(proved: Proved, start: Any) -> tuple[Scalar, acb]:
     for _ in range(_APPROACH):
         middle = start.mid()
         A, A_sigma = proved.matrices(middle)
-        reduction = Reduction.of(A, near_root=True)
+        reduction = Reduction.of(A, near_root=True, moves=A_sigma * middle)
         step = reduction.scalar(A).mid() / reduction.scalar_slope(A, A_sigma).mid()
         if not step.is_finite():
             raise PrecisionError("Newton's method met a stationary point: roots may be too close for this precision")

@@ -12,6 +12,8 @@ from typing import Literal
 from mpsolve.errors import InputError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.model import rational, shown
+from mpsolve.problem.case import Case
+from mpsolve.problem.cases import Given, refuse_units
 from mpsolve.zeros.regions import Rectangle
 
 
@@ -53,8 +55,17 @@ Answered = Region | Sheet
 """What an answer may speak of."""
 
 
-def checked_region(given: object) -> Literal["sheet", "unstable"] | Below | Rectangle:
-    """A region as a user gives it, ("below", h) as `Below`; InputError where it is none."""
+def checked_region(given: object, problem: Given | None = None) -> Literal["sheet", "unstable"] | Below | Rectangle:
+    """A region as a user gives it, ("below", h) as `Below`; InputError where it is none.
+
+    Texts may have units, unless the problem is a Case.
+    """
+    if isinstance(problem, Case):
+        bounds = vars(given) if isinstance(given, Rectangle) else {}
+        for name, bound in bounds.items():
+            refuse_units(bound, f"region.{name}")
+        if isinstance(given, tuple):
+            refuse_units(given[-1], "region")
     if isinstance(given, Rectangle) or (isinstance(given, str) and given in ("sheet", "unstable")):
         return given  # type: ignore[return-value]
     if isinstance(given, Below):
@@ -66,9 +77,9 @@ def checked_region(given: object) -> Literal["sheet", "unstable"] | Below | Rect
 
 
 def _height(given: object) -> Fraction:
-    height = rational(given, "region")
+    height = rational(given, "region", "rad/s", "height")
     if height <= 0:
-        raise InputError("region", f'ends below {shown(height)}, which must be above 0: "unstable" ends at 0')
+        raise InputError("region", f'ends below {shown(height, given)}, which must be above 0: "unstable" ends at 0')
     return height
 
 

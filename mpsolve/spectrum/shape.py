@@ -52,8 +52,8 @@ def root_shape(problem: Problem, q: Any, multiplicity: int = 1, places: Sequence
 def _shape(proved: Proved, sigma: Any, asked: tuple[Fraction, ...]) -> Shape:
     """The shape at the root σ̂."""
     reduced = proved.reduced
-    A = proved.matrices(sigma, slope=False)[0]
-    kernel = Reduction.of(A, near_root=True).kernel(A)
+    A, A_sigma = proved.matrices(sigma)
+    kernel = Reduction.of(A, near_root=True, moves=A_sigma * sigma.mid()).kernel(A)
     y, forces = kernel[: reduced.bodies], kernel[reduced.bodies :]
     motions = _motions(reduced, y)
     largest = max(range(len(motions)), key=lambda k: float(abs(motions[k].mid())))

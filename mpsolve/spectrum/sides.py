@@ -10,6 +10,7 @@ from flint import arb
 
 from mpsolve.characteristic.path import Proved
 from mpsolve.characteristic.paths import Paths
+from mpsolve.numbers.arrays import Complexes
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.turning import number_of_zeros
 
@@ -28,6 +29,20 @@ def side(a: complex, b: complex, pieces: int) -> Any:
     points = a + (b - a) * np.linspace(0, 1, pieces + 1)
     points[0], points[-1] = a, b
     return points[np.concatenate([[True], points[1:] != points[:-1]])]
+
+
+def descent(depth: float, h: float) -> Complexes:
+    """From −i·depth, where a splitting is known, along the imaginary axis to i h."""
+    down = -1j * depth * np.array([1, 0.75, 0.5, 0.3, 0.2, 0.1, 0.05, 0.02])
+    up = [0j, complex(0, h)] if h else [0j]
+    return np.concatenate([down.astype(np.complex64).astype(complex), up])
+
+
+def down_at(rho: float, h: float) -> Complexes:
+    """From i h to ρ + i h and down to ρ."""
+    corner = complex(rho, h)
+    line = side(complex(0, h), corner, 24)
+    return np.concatenate([line, side(corner, rho + 0j, 4)[1:]]) if h else line
 
 
 def whole_turn(proved: Proved) -> arb:

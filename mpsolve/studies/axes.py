@@ -9,6 +9,7 @@ from typing import Any
 from mpsolve.errors import ContradictionError, InputError
 from mpsolve.numbers.model import Quantity, rational, whole
 from mpsolve.numbers.units import measured
+from mpsolve.numbers.written import Measured
 from mpsolve.problem import specs
 from mpsolve.problem.parameters import quantity_of
 from mpsolve.problem.problem import Problem
@@ -53,7 +54,10 @@ def _measured(given: Any, asked: Quantity, key: str) -> Any:
         return {name: _measured(value, asked, f"{key}.{name}") for name, value in given.items()}
     if isinstance(given, (list, tuple)):
         return [_measured(value, asked, f"{key}[{j}]") for j, value in enumerate(given, 1)]
-    return measured(given, asked.unit, key, asked.meaning)
+    number = measured(given, asked.unit, key, asked.meaning)
+    if isinstance(number, Measured) and not key.endswith(".step"):
+        asked.end(given, key)
+    return number
 
 
 def _flattened(table: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, Any]]:

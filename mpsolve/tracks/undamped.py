@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import Quantity, quantities
+from mpsolve.tracks.at_rest import Status, at_rest
 from mpsolve.tracks.waveguide import Polynomial, Track, Waveguide, mapped
 
 
@@ -54,16 +56,22 @@ _TYPICAL = {"c_pad": "30 kN s/m²", "c_ballast": "80 kN s/m²", "c_ground": "50 
 
 
 def damping_wanted(track: Track | Waveguide) -> str:
-    """Which damping may be given to the track, and what is typical of it."""
-    keys = (
+    """Which damping would be felt by every vibration of the track, and what is typical of it."""
+    names = (
         [name for name, one in quantities(type(track)).items() if dissipates(one)] if isinstance(track, Track) else []
     )
+    keys = [name for name in names if _damps(track, name)]
     if not keys:
         return "give it some damping"
     rail = hasattr(track, "EI")
     shown = [f"{key} ({_TYPICAL[key]} is typical)" if rail and key in _TYPICAL else key for key in keys]
     worked = ", or work one out with mpsolve work-out damping" if rail else ""
     return f"give a value above 0 to {' or '.join(shown)}{worked}"
+
+
+def _damps(track: Any, name: str) -> bool:
+    """Whether a value for this damping alone leaves no vibration without any."""
+    return at_rest(track.with_values({name: Fraction(1)})).status is not Status.UNDAMPED
 
 
 def is_reciprocal(guide: Waveguide) -> bool:

@@ -197,5 +197,5 @@ def train(vehicle: AnyVehicle, count: int, spacing: object) -> tuple[Placed, ...
     count = whole(count, "count", 1, _MOST)
     gap = rational(spacing, "spacing", "m", "distance of the vehicles")
     if gap <= 0:
-        raise InputError("spacing", f"is {shown(gap)}, but must be above 0: give the distance in m")
+        raise InputError("spacing", f"is {shown(gap, spacing)}, but must be above 0: give the distance in m")
     return tuple(vehicle.at(k * gap) for k in range(count))

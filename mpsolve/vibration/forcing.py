@@ -11,7 +11,7 @@ import numpy as np
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.arrays import Complexes, Reals
-from mpsolve.numbers.model import rational, whole
+from mpsolve.numbers.model import rational, shown, whole
 from mpsolve.problem.problem import Problem
 from mpsolve.vehicles.loads import Outer
 from mpsolve.vibration.image import Image
@@ -192,9 +192,10 @@ def out_of_round(
 def _small(amplitude: Any, length: Any, key: str) -> tuple[float, float]:
     """Both in m; InputError where the length is none, or the amplitude is no small part of it."""
     size = float(rational(amplitude, "amplitude", "m", "amplitude"))
-    number = float(rational(length, key, "m", key))
+    exact = rational(length, key, "m", key)
+    number = float(exact)
     if number <= 0:
-        raise InputError(key, f"is {number:g}, not above 0: give a length in m")
+        raise InputError(key, f"is {shown(exact, length)}, not above 0: give a length in m")
     if abs(size) > number:
         raise InputError(
             "amplitude", f"is {size:g} m beside a {key} of {number:g} m: write '{size:g} µm', if that is meant"

@@ -10,6 +10,8 @@ from typing import Any
 from mpsolve.errors import InputError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.model import rational, shown
+from mpsolve.numbers.units import measured
+from mpsolve.numbers.written import Measured
 from mpsolve.zeros.geometry import Point, Vertices, distance_squared, doubled_area, edges, is_simple, place_of_box
 
 _SIDES = 32  # of the polygon round a disc
@@ -24,9 +26,18 @@ def exact_point(z: object, key: str) -> Point:
     return rational(z, key), Fraction(0)
 
 
+def _bound(value: object, key: str) -> Fraction:
+    """A text with a unit stays known as one."""
+    number = measured(value, "rad/s", key, "bound")
+    return number if isinstance(number, Measured) else rational(value, key)
+
+
 @frozen
 class Rectangle:
-    """The open rectangle re_min < Re < re_max, im_min < Im < im_max; the bounds are exact rationals."""
+    """The open rectangle re_min < Re < re_max, im_min < Im < im_max; the bounds are exact rationals.
+
+    For frequencies in SI they may be texts with a unit, "50 1/s".
+    """
 
     re_min: Fraction
     re_max: Fraction
@@ -35,12 +46,16 @@ class Rectangle:
 
     def __init__(self, re_min: object, re_max: object, im_min: object, im_max: object) -> None:
         given = {"re_min": re_min, "re_max": re_max, "im_min": im_min, "im_max": im_max}
-        vars(self).update({name: rational(value, f"region.{name}") for name, value in given.items()})
+        vars(self).update({name: _bound(value, f"region.{name}") for name, value in given.items()})
         for axis in ("re", "im"):
             low, high = getattr(self, f"{axis}_min"), getattr(self, f"{axis}_max")
             if not low < high:
-                stated = f"is {shown(high)}, not above {axis}_min = {shown(low)}"
+                stated = f"is {shown(high, high)}, not above {axis}_min = {shown(low, low)}"
                 raise InputError(f"region.{axis}_max", f"{stated}: give the bounds in order")
+
+    @property
+    def has_units(self) -> bool:
+        return any(isinstance(bound, Measured) for bound in self.bounds)
 
     @property
     def bounds(self) -> tuple[Fraction, Fraction, Fraction, Fraction]:

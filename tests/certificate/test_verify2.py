@@ -845,6 +845,12 @@ def test_pivots_by_blocks_are_those_of_plain_elimination(n):
     assert found.rad() < 1e-10
 
 
+@pytest.mark.parametrize("radius", ["1", "3/10", "1.0849", "1e-9", "9.96e-300", "1e-1002", "7/3"])
+def test_a_radius_is_printed_with_two_digits_and_not_as_less(radius):
+    said = Fraction(v2.two_digits(v2.fmpq(*Fraction(radius).as_integer_ratio())))
+    assert Fraction(radius) <= said <= Fraction(radius) * Fraction(112, 100)
+
+
 @pytest.mark.parametrize("n", [1, 2, 5, 12])
 def test_hermitian_matrices_over_a_box_against_eigenvalues(n):
     """Where it is proved no eigenvalue is < 0 anywhere in the box, or with a rest; it is where there is a margin."""

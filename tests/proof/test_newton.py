@@ -142,6 +142,23 @@ def test_more_precision_is_tried_where_the_function_itself_asks_for_it() -> None
         assert pi.real.rad() < 1e-17
 
 
+def test_a_step_that_comes_out_wider_is_taken_again_with_more_bits() -> None:
+    """√z − 2⁻¹⁰⁰, whose value loses 400 bits: a ball that such a step widens holds the branch point 0, for ever."""
+
+    class Lossy:
+        def value(self, z: Any) -> Any:
+            return acb(z).sqrt() - arb(2) ** -100 + acb(arb(0, arb(2) ** (400 - bits_now())))
+
+        def slope(self, z: Any) -> Any:
+            return 1 / (2 * acb(z).sqrt())
+
+    with precision(600):
+        start = acb(arb(2) ** -200 * (1 + arb(2) ** -50), 0) + acb(arb(0, arb(2) ** -240), arb(0, arb(2) ** -240))
+        root = sharpened(Lossy(), start, 150)
+        assert root.contains(acb(arb(2) ** -200, 0))
+        assert root.rad() < arb(2) ** -349
+
+
 def test_a_function_that_is_never_known_is_given_up() -> None:
     class Unknown(Sine):
         def value(self, z: Any) -> Any:

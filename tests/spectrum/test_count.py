@@ -72,7 +72,7 @@ def test_half_planes_below_heights_and_rectangles(v: str, number: int) -> None:
 
 def test_a_half_disc_is_one_also_between_chord_and_arc() -> None:
     """Two masses on a wire that outruns its waves: the arc's pieces are on the circle, halved ones too."""
-    reduced = reduce_problem(Problem(WIRE, vehicles.Mass("8.5"), v=200))
+    reduced = reduce_problem(Problem(WIRE, [vehicles.Mass("8.5"), vehicles.Mass("8.5").at(1)], v=200))
     found = count(reduced, HalfPlane())
     assert isinstance(found.region, HalfPlane)
     assert found.region.radius == 8 * reduced.frequency_unit

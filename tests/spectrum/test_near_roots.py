@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
+from mpmath import mp
 
 from mpsolve import Case, certify
 from mpsolve.characteristic.proved import Proved
@@ -60,3 +63,28 @@ def _delta(q: complex) -> complex:
 
     G = np.array([[kernel(a - b) for b in x] for a in x])
     return complex(np.linalg.det(np.eye(3) - q * q * G * M))
+
+
+@pytest.mark.parametrize(("eta", "gap"), [("0.05", "0.0005"), ("0", "0.001")])
+def test_two_masses_that_all_but_touch_at_rest(eta: str, gap: str) -> None:
+    """They swing against each other 10⁻²⁰ below the branch point. By hand, with z = q − iη and κ⁴ = 1 − η² − z²:
+
+    1 = M q² (G(0) − G(d)), and G(x) = e^{−κx} (cos κx + sin κx)/2κ³ is Winkler's beam.
+    """
+    whole = certify(Case(alpha=0, eta_b=eta, eta_m=["70", "70"], positions=[0, gap]), region="sheet", digits=30)
+    assert (whole.proved, whole.count) == (True, 4)
+    with mp.workdps(80):
+        d, damping = mp.mpf(gap), mp.mpf(eta)
+
+        def frequency(k: Any) -> Any:
+            return mp.sqrt(1 - damping**2 - k**4) + 1j * damping
+
+        def against(k: Any) -> Any:
+            return 2 * k**3 - 70 * frequency(k) ** 2 * (1 - mp.exp(-k * d) * (mp.cos(k * d) + mp.sin(k * d)))
+
+        truth = frequency(mp.findroot(against, 35 * d**2 * frequency(0) ** 2))
+        assert 1e-23 < abs(truth - frequency(0)) < 1e-17
+        errors = [abs(mp.mpmathify(complex(root.q.mid())) - truth) for root in whole.roots]
+        (near,) = [root for root, error in zip(whole.roots, errors, strict=True) if error < 1e-10]
+        middle = mp.mpc(near.q.real.mid().str(60, radius=False), near.q.imag.mid().str(60, radius=False))
+        assert abs(middle - truth) < 1e-29

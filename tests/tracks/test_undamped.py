@@ -6,10 +6,12 @@ from fractions import Fraction
 
 import pytest
 
+from mpsolve import Problem, certify
 from mpsolve.errors import InputError
 from mpsolve.numbers.model import quantities
-from mpsolve.tracks import CATALOGUE, FloatingIce, TwoLayer, Waveguide
+from mpsolve.tracks import CATALOGUE, FloatingIce, Slab, ThreeLayer, Track, TwoLayer, Waveguide
 from mpsolve.tracks.undamped import damping_wanted, dissipates, is_reciprocal, undamped
+from mpsolve.vehicles import Mass
 
 LAYERS = {"EI": 4, "m": 1, "k_pad": 3, "m_sleeper": 2, "k_ballast": 5}
 ICE = {"B": 100, "h": 1, "rho_ice": 9, "rho_water": 10, "depth": 2}
@@ -57,3 +59,29 @@ def test_which_damping_is_wanted() -> None:
     assert "mpsolve work-out damping" in said
     assert damping_wanted(FloatingIce(**ICE)) == "give a value above 0 to c or eta"
     assert damping_wanted(undamped(TwoLayer(**LAYERS))) == "give it some damping"
+
+
+BARE = {"EI": 1, "m": 1, "k_pad": 2}
+
+
+@pytest.mark.parametrize(
+    ("track", "wanted"),
+    [
+        (TwoLayer(**BARE), {"c_ballast", "eta"}),
+        (TwoLayer(**BARE, c_pad="0.1"), {"c_ballast", "eta"}),  # sleepers without mass and ballast damp nothing
+        (ThreeLayer(**BARE, k_ballast=3), {"c_ground", "eta"}),
+        (ThreeLayer(**BARE, k_ballast=3, m_ballast=1, k_ground=1), {"c_pad", "c_ballast", "c_ground", "eta"}),
+        (Slab(**BARE), {"c"}),
+    ],
+)
+def test_only_damping_that_helps_is_asked_for(track: Track, wanted: set[str]) -> None:
+    """Tried: `certify` takes the track with any of those that are named, and with none of the others."""
+    said = damping_wanted(track)
+    for name in (name for name, one in quantities(type(track)).items() if dissipates(one)):
+        assert (f" {name} " in f"{said.replace(',', ' ')} ") == (name in wanted)
+        problem = Problem(type(track)(**(track.parameters | {name: Fraction(1)})), Mass(1), v=0)
+        if name in wanted:
+            assert certify(problem, region="unstable", digits=15).stable
+        else:
+            with pytest.raises(InputError, match="without damping"):
+                certify(problem)
