@@ -128,6 +128,17 @@ def companions(D: Any) -> Any:
     return C
 
 
+def balanced(D: Reals) -> tuple[Reals, Complexes, Reals]:
+    """(the same polynomials, monic, in a unit that balances their ends; their roots near there; the units)."""
+    n = D.shape[1] - 1
+    low = (np.abs(D) > 0).argmax(1)
+    ends = np.abs(D[np.arange(len(D)), low])
+    unit = ((ends / np.abs(D[:, n])) ** (1 / np.maximum(n - low, 1)))[:, None]
+    scaled = D * unit ** np.arange(n + 1)
+    scaled = scaled / scaled[:, n:]
+    return scaled, np.linalg.eigvals(companions(scaled)).astype(complex), unit
+
+
 def gaps(z: Any, own: float = np.inf) -> Any:
     """The distances of the numbers of each row from each other; `own`: of each from itself."""
     gap = np.abs(z[:, :, None] - z[:, None, :])
