@@ -2070,11 +2070,11 @@ def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None
 
 
 def own_damping(track: Track) -> tuple[Any, int] | None:
-    """(c, i) if the loaded field has the damping c p^i, i ≥ 2, without which the track is passive too (6.2)."""
+    """(c, i) if the loaded field has the damping c p^i, even i ≥ 2, without which the track is passive too (6.2)."""
     entry = track.rows[track.loaded][track.loaded]
     i = max((i for i, j in terms(entry) if j == 1), default=0)
     c = terms(entry).get((i, 1), fmpq(0)) * (-1) ** (i // 2)
-    if i < 2 or c <= 0:
+    if i < 2 or i % 2 or c <= 0:
         return None
     rows = [list(row) for row in track.rows]
     rows[track.loaded][track.loaded] = entry - RING.from_dict({(i, 1): c * (-1) ** (i // 2)})

@@ -48,14 +48,14 @@ def passive_by_equations(guide: Waveguide) -> bool:
 
 
 def own_damping(guide: Waveguide) -> tuple[Fraction, int] | None:
-    """(c, i), i ≥ 2, if the loaded field has the damping c p^i of its own: without it the track is passive still.
+    """(c, i), even i ≥ 2, if the loaded field has the damping c p^i of its own: without it the track is passive still.
 
     Then |N/D| ≤ 1/(|s| c p^i) for Re s ≥ 0 (SPEC2, section 6.2).
     """
     loaded, entry = guide.loaded, guide.matrix[guide.loaded][guide.loaded]
     i = max((i for i, j in entry if j == 1), default=0)
     c = entry.get((i, 1), Fraction(0)) * (-1) ** (i // 2)
-    if i < 2 or c < 0:
+    if i < 2 or i % 2 or c <= 0:
         return None
     rows = [list(row) for row in guide.matrix]
     rows[loaded][loaded] = {key: x for key, x in entry.items() if key != (i, 1)}

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from mpsolve import tracks
+from mpsolve.certificate import verify2 as v2
 from mpsolve.numbers.model import Rational, nonnegative, positive, real
 from mpsolve.tracks.structure import own_damping, passive_by_equations, passive_by_structure
 from mpsolve.tracks.waveguide import Track, Waveguide
@@ -79,6 +80,21 @@ def test_damping_that_is_shared_is_not_its_own() -> None:
     assert own_damping(shared) is None
     more = Waveguide(((s | {(4, 1): Fraction(3)}, less), (less, s | P4)), 0)
     assert own_damping(more) is None  # all of it is more than its own
+
+
+def test_an_odd_power_damps_nothing() -> None:
+    """D = s²(1 + p²/4) + s + 1 + p⁴, N = 1: at resonance |N/D| = 1/|s| for all p, whatever the entry with s P³ says."""
+    off = {(1, 1): Fraction(-1, 2), (2, 0): Fraction(1)}
+    rail = {(0, 2): Fraction(1), (0, 1): Fraction(1), (0, 0): Fraction(1), (4, 0): Fraction(2), (3, 1): Fraction(-1)}
+    guide = Waveguide(((rail, off), (off, {(0, 0): Fraction(1)})), 0)
+    assert passive_by_equations(guide)
+    assert own_damping(guide) is None
+    terms = {(4, 0): "1", (0, 0): "1", (0, 1): "1", (0, 2): "1", (2, 2): "-1/4"}
+    assert guide.dispersion == {key: Fraction(x) for key, x in terms.items()}
+    rows = [[[[i, j, str(x)] for (i, j), x in entry.items()] for entry in row] for row in guide.matrix]
+    track = v2.read_track({"matrix": rows, "loaded": 0}, "1")
+    v2.check_passive(v2.RING, track.rows, ())
+    assert v2.own_damping(track) is None
 
 
 @pytest.mark.parametrize("name", ["two", "three"])
