@@ -48,7 +48,7 @@ def passive_by_equations(guide: Waveguide) -> bool:
 
 
 def own_damping(guide: Waveguide) -> tuple[Fraction, int] | None:
-    """(c, i), even i ≥ 2, if the loaded field has the damping c p^i of its own: without it the track is passive still.
+    """(c, i), even i ≥ 2, if the loaded field has the damping c p^i of its own: without it the track is passive too.
 
     Then |N/D| ≤ 1/(|s| c p^i) for Re s ≥ 0 (SPEC2, section 6.2).
     """

@@ -83,7 +83,7 @@ def test_damping_that_is_shared_is_not_its_own() -> None:
 
 
 def test_an_odd_power_damps_nothing() -> None:
-    """D = s²(1 + p²/4) + s + 1 + p⁴, N = 1: at resonance |N/D| = 1/|s| for all p, whatever the entry with s P³ says."""
+    """D = s²(1 + p²/4) + s + 1 + p⁴, N = 1: at resonance |N/D| = 1/|s| for all p, whatever stands at s P³."""
     off = {(1, 1): Fraction(-1, 2), (2, 0): Fraction(1)}
     rail = {(0, 2): Fraction(1), (0, 1): Fraction(1), (0, 0): Fraction(1), (4, 0): Fraction(2), (3, 1): Fraction(-1)}
     guide = Waveguide(((rail, off), (off, {(0, 0): Fraction(1)})), 0)
