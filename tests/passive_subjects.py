@@ -25,6 +25,10 @@ TRACKS: dict[str, tuple[Any, int]] = {
     "string": (tracks.String(T=27000, m="1.07", k=500, c=2), 100),
     "timoshenko": (tracks.Timoshenko(EI="6.38e6", m="60.2", S="2.4e8", J="0.24", k="1e6", c="770"), 300),
     "two layers": (TWO, 900),
+    "two layers, only the rail damped": (
+        tracks.TwoLayer(EI="6.38e6", m="60.2", k_pad="300e6", m_sleeper="250", k_ballast="100e6", eta="1e-4"),
+        100,
+    ),
     "slab": (
         tracks.Slab(EI="6.4e6", m=60, k_pad="4e7", c_pad="1e4", EI_slab="1e8", m_slab=2000, k="5e7", c="5e4"),
         120,

@@ -136,9 +136,16 @@ class Track:
         both = x.add({key: C * c for key, c in DD.items()}, {(i + alpha, j): c for (i, j), c in W.items()})
         chart = {(Id - i, j): (-1) ** j * c for (i, j), c in both.items()}
         fine = x.positive_on_box(chart, (Fraction(0), v / X, Fraction(0), omega), v)  # −Ω ≤ vp
+        own = any(i >= 2 and j == 1 for i, j in self.A[self.loaded][self.loaded])
+        if own and not fine:
+            raise NotCheckedError(
+                "the envelope at low frequencies, which the rail's own damping may give (section 6.2)"
+            )
         need(fine, "the envelope fails at low frequencies")
         chart = {(Id - i, nd - i - j): (-1) ** j * c for (i, j), c in both.items()}
         fine = x.positive_on_box(chart, (Fraction(0), v, Fraction(0), 1 / omega), v / X)
+        if own and not fine:
+            raise NotCheckedError("the envelope at high frequencies, which the rail's own damping may give")
         need(fine, "the envelope fails at high frequencies")
         gives = C * ((X / v) ** (1 - alpha) / (alpha - 1) + sieve * (X / v) ** -alpha)
         need(takes > gives, "the track may give more than it takes")

@@ -184,17 +184,13 @@ class _Matrices:
 @lru_cache(maxsize=512)
 def _matrices(vehicle: AnyVehicle) -> _Matrices:
     pencil = checked_pencil(vehicle.pencil)
-    M, C, K, B = (_array(rows) for rows in (pencil.M, pencil.C, pencil.K, pencil.B))
+    M, C, K, B = (np.array(rows, float) for rows in (pencil.M, pencil.C, pencil.K, pencil.B))
     neutral = np.zeros(len(M), bool)
     if not _clearly_felt(M, C, K, B):
         parts = split_felt(pencil)
-        M, C, K, B = (_array(rows) for rows in (parts.M, parts.C, parts.K, parts.B))
+        M, C, K, B = (np.array(rows, float) for rows in (parts.M, parts.C, parts.K, parts.B))
         neutral = np.arange(len(M)) >= len(M) - parts.neutral
-    return _Matrices(M, C, K, B, np.array([float(x) for x in pencil.h]), neutral, pencil.places)
-
-
-def _array(rows: Sequence[Sequence[Fraction]]) -> Reals:
-    return np.array([[float(x) for x in row] for row in rows])
+    return _Matrices(M, C, K, B, np.array(pencil.h, float), neutral, pencil.places)
 
 
 def _clearly_felt(M: Any, C: Any, K: Any, B: Any) -> bool:

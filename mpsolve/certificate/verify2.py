@@ -2019,8 +2019,8 @@ def turned_one(marks: Sequence[Mark], turns: Sequence[Turn], matrix: Callable[[M
 # --- the track alone: passive for all real q ≥ X, and decay at infinity -----------------------------------
 
 
-def check_positive(f: Free, box: Box, product_below: Any, name: str) -> None:
-    """f > 0 on a box (where x·y ≤ product_below, if given), by Bernstein coefficients and bisection."""
+def check_positive(f: Free, box: Box, product_below: Any, name: str, other: Free | None = None) -> None:
+    """f > 0, or other > 0, on a box (where x·y ≤ product_below, if given): Bernstein coefficients and bisection."""
     degrees = [max(e[k] for e in f) for k in range(len(box))]
     steps = [prod(d + 1 for d in degrees[k + 1 :]) for k in range(len(box))]
     stack, number = [(box, 0)], 0
@@ -2030,9 +2030,13 @@ def check_positive(f: Free, box: Box, product_below: Any, name: str) -> None:
             continue
         number += 1
         values = bernstein(f, here, arb_mat)
-        if all(x > 0 for x in values):
+        if all(x > 0 for x in values) or (other and all(x > 0 for x in bernstein(other, here, arb_mat))):
             continue
-        fine = not values[0] < 0 and number < MAX_BOXES / max(sum(degrees) + 2, len(values) / 100) and depth < 60
+        fine = (
+            (other or not values[0] < 0)
+            and number < MAX_BOXES / max(sum(degrees) + 2, len(values) / 100)
+            and depth < 60
+        )
         require(fine, f"the theorem at large q: {name}")
         near = [float(x) for x in values]
         moved = [
@@ -2062,7 +2066,23 @@ def check_tail(track: Track, theorem: Any, X: Any, sites: Sequence[Any]) -> None
     C, v = dyadic(theorem["envelope"], "envelope"), track.v
     gap = min((b - a for a, b in pairwise(sites)), default=None)
     parts = absorption(RING, track.D, track.N)
-    tail_alpha(theorem, 2, parts, {(): v}, v, X, gap, [(X / v, C)], ())
+    tail_alpha(theorem, 2, parts, {(): v}, v, X, gap, [(X / v, C)], (), own_damping(track))
+
+
+def own_damping(track: Track) -> tuple[Any, int] | None:
+    """(c, i) if the loaded field has the damping c p^i, even i ≥ 2, without which the track is passive too (6.2)."""
+    entry = track.rows[track.loaded][track.loaded]
+    i = max((i for i, j in terms(entry) if j == 1), default=0)
+    c = terms(entry).get((i, 1), fmpq(0)) * (-1) ** (i // 2)
+    if i < 2 or i % 2 or c <= 0:
+        return None
+    rows = [list(row) for row in track.rows]
+    rows[track.loaded][track.loaded] = entry - RING.from_dict({(i, 1): c * (-1) ** (i // 2)})
+    try:
+        check_passive(RING, rows, ())
+    except Refused:
+        return None
+    return c, i
 
 
 def tail_alpha(
@@ -2075,11 +2095,12 @@ def tail_alpha(
     gap: Any,
     bounds: Sequence[tuple[Any, Any]],
     box: Box,
+    own: tuple[Any, int] | None = None,
 ) -> int:
     """α, if the theorem at large q (section 6.2) holds for q ≥ Q and all parameters of the box.
 
     parts: W and |D|². v ≤ fastest: the velocity. gap: the least distance of two places, None of one alone.
-    bounds: (p₀, C), |W|/|D|² ≤ C p^−α for p ≥ p₀.
+    bounds: (p₀, C), |W|/|D|² ≤ C p^−α for p ≥ p₀. own: (c, i), |N/D| ≤ 1/(|s| c p^i), of a track without parameters.
     """
     k, m = (integer(x, 0, 12, "gamma") for x in items(content["gamma"], 2, "gamma", 2))
     omega, alpha = dyadic(content["omega"], "omega"), integer(content["alpha"], least_alpha, 64, "alpha")
@@ -2110,8 +2131,13 @@ def tail_alpha(
                 for chart, key in ((near, (id_ - less - i, j, *e)), (far, (id_ - less - i, nd - less - i - j, *e))):
                     chart[key] = chart.get(key, fmpq(0)) + factor * c * (-1) ** j
         give = "the giving part may exceed the envelope"
-        check_positive(near, ((fmpq(0), 1 / p0), (fmpq(0), omega), *box), fastest, give)  # −Ω ≤ v p: u·(−Ω) ≤ v
-        check_positive(far, ((fmpq(0), fastest), (fmpq(0), 1 / omega), *box), 1 / p0, give)
+        near_own: Free | None = None
+        far_own: Free | None = None
+        if own is not None and own[1] >= alpha:
+            c, left = own[0] * C, own[1] - alpha
+            near_own, far_own = {(0, 1): c, (left, 0): fmpq(-1)}, {(0, 0): c, (left, left + 1): fmpq(-1)}
+        check_positive(near, ((fmpq(0), 1 / p0), (fmpq(0), omega), *box), fastest, give, near_own)  # u·(−Ω) ≤ v
+        check_positive(far, ((fmpq(0), fastest), (fmpq(0), 1 / omega), *box), 1 / p0, give, far_own)
     known = [arb(C) for p0, C in bounds if p0 * fastest <= Q]
     require(known, "short waves are not bounded beyond Q")
     turn = arb(Q / fastest)
@@ -2252,7 +2278,7 @@ def read_paths(values: Any, kinds: str) -> list[Path]:
         keys(value, "kind points")
         require(value["kind"] == kind, f"a path is of another kind than {kind}")
         out.append(Path(kind, read_points(value["points"])))
-    require(sum(len(p.points) for p in out) <= MAX_PIECES, "there are too many pieces")
+    require(sum(len(p.points) - 1 for p in out) <= MAX_PIECES, "there are too many pieces")
     return out
 
 

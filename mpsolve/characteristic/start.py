@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import field
+from fractions import Fraction
 
 import numpy as np
-from flint import acb, acb_poly, arb
+from flint import acb, acb_poly, arb, fmpq_poly
 
 from mpsolve.characteristic.discs import Splittings, split
 from mpsolve.characteristic.symbol import Symbol
@@ -13,20 +14,26 @@ from mpsolve.characteristic.table import Table
 from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.balls import precision
+from mpsolve.numbers.realroots import as_fmpq
 from mpsolve.problem.reduced import Guide
 
 APART = (
     "decaying and growing p-roots far below the real axis cannot be told apart, as where v is far beyond all waves",
     "check v and its unit",
 )
+REPEATED = (
+    "the track has some of its waves twice, as where parts of it are equal and feel each other through others alone",
+    "make one of the equal parts a little different, or put them together as one",
+)
 """Why there is no start, and what helps."""
 
 
 class NoStartError(PrecisionError):
-    """No depth serves."""
+    """No depth serves; `words`: why, and what helps."""
 
-    def __init__(self) -> None:
-        super().__init__(": ".join(APART))
+    def __init__(self, words: tuple[str, str]) -> None:
+        super().__init__(": ".join(words))
+        self.words = words
 
 
 @frozen
@@ -44,7 +51,16 @@ def start(guide: Guide, depths: tuple[float, ...] = (1.0, 0.5, 2.0, 4.0)) -> Sta
         found = _tell_apart(guide, depth)
         if found is not None:
             return found
-    raise NoStartError()
+    raise NoStartError(REPEATED if all(_repeats(guide, Fraction(depth)) for depth in depths) else APART)
+
+
+def _repeats(guide: Guide, depth: Fraction) -> bool:
+    """Whether p-roots at σ̂ = depth are equal, exactly."""
+    rows: dict[int, Fraction] = {}
+    for (i, j), c in guide.D.items():
+        rows[i] = rows.get(i, Fraction(0)) + c * depth**j
+    line = fmpq_poly([as_fmpq(rows.get(i, Fraction(0))) for i in range(max(rows) + 1)])
+    return bool(line.gcd(line.derivative()).degree() > 0)
 
 
 def _tell_apart(guide: Guide, depth: float) -> Start | None:

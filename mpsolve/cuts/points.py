@@ -83,7 +83,7 @@ def _find(
     told = None if found.reach is None else found.reach * float(family.frequency_unit)
     return CutPoints(
         problem, over, Status.UNDECIDED if reason else Status.UNVERIFIED, reason, {"points": len(points)},
-        cost=Spent(process_time() - started, 0.0, budget.spent), digits=digits, points=tuple(points), reach=told,
+        cost=Spent.since(started, boxes=budget.spent), digits=digits, points=tuple(points), reach=told,
         note="" if reason else "no certificate states a list of cut points",
     )  # fmt: skip
 

@@ -7,6 +7,7 @@ gains from a vehicle to the next one ahead, 1/|z_{n₊+1}| what it gains to the 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,6 +15,7 @@ import numpy as np
 
 from mpsolve.endless.bloch import Bloch
 from mpsolve.numbers.arrays import Complexes, Reals
+from mpsolve.numbers.float64 import lowest
 
 _POINTS = 1200
 _ZOOMS, _ZOOM = 6, 41
@@ -40,24 +42,22 @@ def _factors(bloch: Bloch, q: Any, back: int) -> tuple[Reals, Complexes]:
 
 
 def _largest(bloch: Bloch, most: float, back: int) -> Gain:
-    q = np.linspace(most * _SHORT, most, _POINTS)
-    for _ in range(_ZOOMS):
-        factor, z = _factors(bloch, q, back)
-        k = int(np.nanargmax(factor))
-        best = Gain(float(factor[k]), float(q[k]), complex(z[k]))
-        low, high = q[max(k - 1, 0)], q[min(k + 1, len(q) - 1)]
-        q = np.linspace(low, high, _ZOOM)
-    return best
+    q, _ = _least(lambda q: -_factors(bloch, q, back)[0], most)
+    factor, z = _factors(bloch, [q], back)
+    return Gain(float(factor[0]), q, complex(z[0]))
 
 
 def closest(bloch: Bloch, most: float) -> tuple[float, float]:
     """(ratio, q): the least |z_{n₊+1}/z_{n₊}| for 0 < q ≤ most; 1 where the two kinds of motion meet in modulus."""
-    q = np.linspace(most * _SHORT, most, _POINTS)
-    best = (np.inf, 0.0)
-    for _ in range(_ZOOMS):
+
+    def ratio(q: Any) -> Reals:
         ahead, back = bloch.middle(1j * q)
-        ratio = np.abs(back / ahead)
-        k = int(np.nanargmin(ratio))
-        best = (float(ratio[k]), float(q[k]))
-        q = np.linspace(q[max(k - 1, 0)], q[min(k + 1, len(q) - 1)], _ZOOM)
-    return best
+        return np.abs(back / ahead)
+
+    q, least = _least(ratio, most)
+    return least, q
+
+
+def _least(f: Callable[[Any], Any], most: float) -> tuple[float, float]:
+    """(q, f) where f is least for 0 < q ≤ most."""
+    return lowest(f, np.linspace(most * _SHORT, most, _POINTS), _ZOOM, _ZOOMS)

@@ -166,7 +166,7 @@ class _Beam:
         if not self.tau.size or self.tau[-1] <= 0 or np.any(np.diff(self.tau) <= 0):
             raise InputError("tau", "is not an ascending list of times from 0 on: give at least one time above 0")
         self.tolerance, self.fixed = share(tolerance, "tolerance"), fixed
-        self.masses = np.array([float(x) for x in moved])
+        self.masses = np.array(moved, float)
         self.points = np.concatenate([self.masses, self.xi - float(ratios.positions[0])])
         self.lowest = float(self.points.min())
         self.loads = self.units.loads(loads, 1 / self.units.w_st)

@@ -15,7 +15,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
@@ -75,23 +74,19 @@ def carriage(pencil: Pencil) -> Carriage:
     T = np.array(kept, float).reshape(-1, size).T
     fixed = np.array(at_once, float).reshape(-1, size).T
     H = np.diag(np.array(pencil.h, float))
-    Kf, Bf = _floats(K), _floats(B)
+    Kf, Bf = np.array(K, float), np.array(B, float)
     motion, give = T, np.zeros((size, pencil.contacts))
     if at_once:
-        inner = np.linalg.inv(_floats(congruent(pencil.K, at_once, at_once)))
+        inner = np.linalg.inv(np.array(congruent(pencil.K, at_once, at_once), float))
         across, touch = (
-            _floats(congruent(pencil.K, at_once, kept)),
-            _floats([image(columns, vector) for vector in at_once]),
+            np.array(congruent(pencil.K, at_once, kept), float),
+            np.array([image(columns, vector) for vector in at_once], float),
         )
         Kf = Kf - across.T @ inner @ across
         Bf = Bf - across.T @ inner @ touch
         H = H + touch.T @ inner @ touch
         motion, give = T - fixed @ inner @ across, fixed @ inner @ touch
-    return Carriage(_floats(M), _floats(C), Kf, Bf, H, len(heavy), motion, give, fixed)
-
-
-def _floats(rows: Sequence[Sequence[Fraction]]) -> Reals:
-    return np.array([[float(x) for x in row] for row in rows], float).reshape(len(rows), -1)
+    return Carriage(np.array(M, float), np.array(C, float), Kf, Bf, H, len(heavy), motion, give, fixed)
 
 
 @dataclass(frozen=True)

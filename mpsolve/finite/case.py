@@ -61,7 +61,7 @@ class Case:
         require_stable(problem.track)
         self.outer = outer_forces(self.pencil, loads)
         self.times = _ascending(times)
-        self.contacts = np.array([float(x) for x in self.pencil.places])
+        self.contacts = np.array(self.pencil.places, float)
         self.places = self.contacts if places is None else float_list(places, "places")
         self.velocity = float(problem.v)
         self.tolerance = share(tolerance, "tolerance")

@@ -18,7 +18,7 @@ from numpy.polynomial import legendre
 from mpsolve.characteristic.symbol import horner
 from mpsolve.finite.discretization import Discretization, in_s
 from mpsolve.numbers.arrays import Complexes, Reals
-from mpsolve.numbers.float64 import companions, gaps, polynomial_and_slope
+from mpsolve.numbers.float64 import balanced, gaps, polynomial_and_slope
 
 _SMALL = 3.0
 _POINTS = 14
@@ -178,17 +178,12 @@ def exponentials(track: Discretization) -> Exponentials:
 
 def _roots(coefficients: Reals) -> Complexes:
     """The roots in s of each mode, (J, degree), sharpened by Newton where they stand alone."""
-    degree = len(coefficients) - 1
-    scale = np.abs(coefficients[0] / coefficients[-1]) ** (1 / degree)
-    scale = np.where(scale > 0, scale, 1.0)
-    scaled = coefficients * scale ** np.arange(degree + 1)[:, None]
-    scaled = scaled / scaled[-1]
-    z = np.linalg.eigvals(companions(scaled.T)).astype(complex)
+    scaled, z, unit = balanced(coefficients.T)
     alone = gaps(z).min(-1) > _FAR * np.where(z == 0, 1, np.abs(z))
     for _ in range(_POLISH):
-        value, slope = polynomial_and_slope(scaled.T, z)
+        value, slope = polynomial_and_slope(scaled, z)
         z = z - np.where(alone, value, 0) / np.where(alone, slope, 1)
-    return z * scale[:, None]
+    return z * unit
 
 
 def separated(roots: Complexes) -> Complexes:

@@ -111,13 +111,12 @@ def _find(
     try:
         region = on_sheet(problem, over) if whole else region_of(scope_of(problem, over), asked)
     except OpenError as error:
-        cost = Spent(process_time() - started)
+        cost = Spent.since(started)
         return FrequencyLines(problem, over, Status.UNDECIDED, error.reason, cost=cost, **common)
     search = Assembly(problem, over, region, digits, budget, progress, check)
     lines = search.lines(values)
     proof = search.proof()
-    checked = search.base.cost.verification if search.base is not None else 0.0
-    cost = Spent(process_time() - started - checked, checked, budget.spent)
+    cost = Spent.since(started, search.base, boxes=budget.spent)
     reason = search.reason
     status = Status.UNVERIFIED if reason is None else Status.UNDECIDED
     events = tuple(Event(*search.in_units(one), one.gained or 0, one.side or None) for one in search.events)

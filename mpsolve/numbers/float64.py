@@ -96,6 +96,16 @@ def distinct(x: Any) -> Any:
     return ordered[new]
 
 
+def lowest(f: Callable[[Any], Any], x: Reals, size: int, times: int) -> tuple[float, float]:
+    """(x, f) where f is least on this grid, then on one of `size` between the neighbours, so many times in all."""
+    for _ in range(times):
+        values = f(x)
+        k = int(np.nanargmin(values))
+        least = float(x[k]), float(values[k])
+        x = np.linspace(x[max(k - 1, 0)], x[min(k + 1, len(x) - 1)], size)
+    return least
+
+
 def value_at(x: Any, y: Any, c: Reals) -> Any:
     """Σ c[i, j] x^i y^j at arrays of one shape, by Horner's rule in x and then in y: numpy.polynomial's polyval2d."""
     table = np.reshape(c, (*np.shape(c), *(1,) * np.ndim(x)))
@@ -116,6 +126,17 @@ def companions(D: Any) -> Any:
     with np.errstate(all="ignore"):
         C[:, -1] = -D[:, :-1] / D[:, -1:]
     return C
+
+
+def balanced(D: Reals) -> tuple[Reals, Complexes, Reals]:
+    """(the same polynomials, monic, in a unit that balances their ends; their roots near there; the units)."""
+    n = D.shape[1] - 1
+    low = (np.abs(D) > 0).argmax(1)
+    ends = np.abs(D[np.arange(len(D)), low])
+    unit = ((ends / np.abs(D[:, n])) ** (1 / np.maximum(n - low, 1)))[:, None]
+    scaled = D * unit ** np.arange(n + 1)
+    scaled = scaled / scaled[:, n:]
+    return scaled, np.linalg.eigvals(companions(scaled)).astype(complex), unit
 
 
 def gaps(z: Any, own: float = np.inf) -> Any:

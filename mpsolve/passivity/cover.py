@@ -1,7 +1,8 @@
 """−Im G(0, q) > 0 for one contact, for all q > 0 and all velocities of an interval: boxes of (q, v), halved in turn.
 
 Boxes that hold q = 0 are of −Im G/q. The waves of the track decide nearly all. As v → 0 some tracks lose a wave, that
-runs to infinity: boxes that reach there are decided by integrals over cells of wavenumber.
+runs to infinity: boxes that reach there are decided by integrals over cells of wavenumber. So are those where a part
+of the track vibrates without damping, and does not move the rail: there waves meet at p = 0.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from mpsolve.problem.reduced import Guide
 from mpsolve.proof.effort import Effort
 
 _COARSE, _FINE = 12, 384  # cells on each side of a wave: twice as many after every second halving
-_SLOW = 8  # halvings from which boxes are looked at by integrals over wavenumber
+_SLOW = 8  # halvings after which all boxes are looked at by integrals over wavenumber, and from which some are
 _DEEPEST = 30
 
 
@@ -97,7 +98,7 @@ def cover(strip: Strip, first: float, effort: Effort) -> Reals:
 def _passed(strip: Strip, near: Near, boxes: Reals, level: int) -> Any:
     low, high = boxes[:, [0, 2]], boxes[:, [1, 3]]
     passed = strip.moving.waves.passes(low.T, high.T)
-    slow = ~passed & strip.moving.loses_a_wave & (2 * boxes[:, 2] <= boxes[:, 3])
+    slow = ~passed & (2 * boxes[:, 2] <= boxes[:, 3] if strip.moving.loses_a_wave else level == _SLOW)
     if level < _SLOW or not slow.any():
         return passed
     side = min(_COARSE * 2 ** (level // 2), _FINE)

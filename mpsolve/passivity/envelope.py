@@ -46,7 +46,10 @@ class Envelope:
                 return self._known[k]  # it holds from a smaller p₀ on
         if power_of_two not in self._known:
             found = charts(self.quotient, 2.0**power_of_two, self.fastest + self.beside)
-            self._known[power_of_two] = max(_supremum(self, chart) for chart in found)
+            C = max(_supremum(self, chart) for chart in found)
+            if np.isinf(C) and self.of is None:
+                C = max(_supremum(self, chart, own) for chart, own in zip(found, _owns(self), strict=True))
+            self._known[power_of_two] = C
         return self._known[power_of_two]
 
     def constants(self, p0: Reals) -> Reals:
@@ -116,8 +119,21 @@ def charts(quotient: Quotient, p0: float, v: float) -> tuple[Chart, Chart]:
     return near, far
 
 
-def _supremum(envelope: Envelope, chart: Chart) -> float:
-    """By branch and bound over the chart and the parameters."""
+Monomial = tuple[float, int, int]
+"""(c, i, j): c x^i y^j."""
+
+
+def _owns(envelope: Envelope) -> tuple[Monomial | None, Monomial | None]:
+    """What bounds the quotient times p^α in each chart by the damping of the loaded field: |N/D| ≤ 1/(|Ω| c p^i)."""
+    own, alpha = envelope.subject.own, envelope.quotient.alpha
+    if own is None or own[1] < alpha:
+        return None, None
+    c, left = UP / float(own[0]), own[1] - alpha
+    return (c, left, -1), (c, left, left + 1)
+
+
+def _supremum(envelope: Envelope, chart: Chart, own: Monomial | None = None) -> float:
+    """By branch and bound over the chart and the parameters; own: another bound, the less of the two counts."""
     low = np.array([[*(a for a, _ in chart.box), *envelope.low]])
     high = np.array([[*(b for _, b in chart.box), *envelope.high]])
     names, proved, known, tried = ("x", "y", *envelope.subject.names), 0.0, 0.0, 0
@@ -130,8 +146,14 @@ def _supremum(envelope: Envelope, chart: Chart) -> float:
             top, bottom = _quotient(chart, x, y, theta)
             upper = np.maximum(np.abs(top.low), np.abs(top.high)) / bottom.low * UP
             upper = np.where(bottom.low > 0, upper, np.inf)
+            if own is not None:
+                upper = np.minimum(upper, _monomial(own, high[:, 0], high[:, 1] if own[2] > 0 else low[:, 1]) * UP)
             inner = low[:, 0] / 2 + high[:, 0] / 2 <= chart.product / (low[:, 1] / 2 + high[:, 1] / 2)
             middle = np.abs(top.a) / bottom.a
+            if own is not None:
+                middle = np.minimum(
+                    middle, _monomial(own, low[:, 0] / 2 + high[:, 0] / 2, low[:, 1] / 2 + high[:, 1] / 2)
+                )
             known = max(known, float(np.max(middle, initial=0.0, where=inner & (bottom.a > 0))))
         done = upper <= _NEAR * known
         proved = max(proved, float(np.max(upper, initial=0.0, where=done)))
@@ -139,6 +161,10 @@ def _supremum(envelope: Envelope, chart: Chart) -> float:
         inside = low[:, 0] * low[:, 1] <= chart.product * UP
         low, high = low[inside], high[inside]
     return proved
+
+
+def _monomial(one: Monomial, x: Reals, y: Reals) -> Reals:
+    return one[0] * x ** one[1] * y ** float(one[2])
 
 
 def _quotient(chart: Chart, x: Affine, y: Affine, theta: list[Affine]) -> tuple[Affine, Affine]:

@@ -6,17 +6,17 @@ G = Σ N/D_P over the p-roots with Re P < 0, P = P(σ, v). Series in t = σ − 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import comb
-from typing import Any
+from typing import Any, TypeVar, cast
 
 from flint import acb_series
 
 from mpsolve.errors import PrecisionError
 from mpsolve.numbers.balls import acb, acb_poly, arb, bits_now, rational_ball, square
-from mpsolve.tracks.waveguide import Polynomial, slope_in_s
+from mpsolve.tracks.waveguide import Polynomial, moved, slope_in_s
 
+C = TypeVar("C")
 Local = dict[tuple[int, int], Any]
 """Σ c P^i s^j about some point, with balls."""
 _TRIES = 12  # radii of a disc round a root
@@ -101,11 +101,11 @@ def _newton(D: Polynomial, root: acb, sigma: Any, v: arb) -> acb:
     time, about = _centre(root, sigma, v)
     local = _shifted(D, root, about)
     by_P, by_s = _slopes(local)
-    value = _number(local, acb(0), time)
+    value = _value(local, acb(0), time, acb)
 
     def slope(disc: acb) -> acb:
         s = time - v * disc
-        return _number(by_P, disc, s) - v * _number(by_s, disc, s)
+        return _value(by_P, disc, s, acb) - v * _value(by_s, disc, s, acb)
 
     first = value / slope(acb(0))
     radius = 1.25 * first.abs_upper() if first.is_finite() else arb("inf")
@@ -127,18 +127,7 @@ def _centre(root: acb, sigma: Any, v: arb) -> tuple[acb, acb]:
 
 def _shifted(polynomial: Polynomial, P: acb, s: acb) -> Local:
     """The coefficients about a thin point: those of (P′ − P)^i (s′ − s)^j."""
-    powers_P, powers_s = ([acb(1)] for _ in range(2))
-    for x, powers, k in ((P, powers_P, 0), (s, powers_s, 1)):
-        for _ in range(max(key[k] for key in polynomial)):
-            powers.append(powers[-1] * x)
-    out: Local = {}
-    for (i, j), c in polynomial.items():
-        number = rational_ball(c)
-        for a in range(i + 1):
-            part = number * comb(i, a) * powers_P[i - a]
-            for b in range(j + 1):
-                out[a, b] = out.get((a, b), acb(0)) + part * comb(j, b) * powers_s[j - b]
-    return out
+    return moved(moved({key: acb(rational_ball(c)) for key, c in polynomial.items()}, 0, P), 1, s)
 
 
 def _slopes(local: Local) -> tuple[Local, Local]:
@@ -147,14 +136,15 @@ def _slopes(local: Local) -> tuple[Local, Local]:
     return by_P, slope_in_s(local)
 
 
-def _number(local: Local, P: acb, s: acb) -> acb:
-    total = acb(0)
+def _value(local: Local, P: C, s: C, number: Callable[[acb], C]) -> C:
+    """Σ c P^i s^j, its coefficients made numbers of the kind of P and s."""
+    total: Any = number(acb(0))
     for row in reversed(_rows(local)):
-        inner = acb(0)
+        inner: Any = number(acb(0))
         for c in reversed(row):
-            inner = inner * s + c
+            inner = inner * s + number(c)
         total = total * P + inner
-    return total
+    return cast(C, total)
 
 
 def _rows(local: Local) -> list[list[acb]]:
@@ -187,6 +177,10 @@ def _residue(D: Polynomial, N: Polynomial, root: acb, sigma: Any, v: arb, size: 
     offset, about = _centre(thin, sigma, v)
     d, n = _shifted(D, thin, about), _shifted(N, thin, about)
     by_P, by_s = _slopes(d)
+
+    def value(local: Local, P: _Dual, s: _Dual) -> _Dual:
+        return _value(local, P, s, lambda c: _Dual(_series([c], size), zero))
+
     # s − s₀ = offset + t − v (P − thin), and ε stands for a change −P of s
     time, speed = _Dual(_series([offset, 1], size), -_series([thin], size)), _Dual(_series([v], size), one)
 
@@ -197,27 +191,16 @@ def _residue(D: Polynomial, N: Polynomial, root: acb, sigma: Any, v: arb, size: 
     own: list[Any] = [root - thin]
     dual: list[Any] = []
     P, s = along(own, dual)
-    slope = _sum(by_P, P, s, size) - speed * _sum(by_s, P, s, size)
+    slope = value(by_P, P, s) - speed * value(by_s, P, s)
     over = 1 / slope.a[0]
     for k in range(size):  # D(P) = 0 order by order: what is not yet known of P enters the next one linearly
         if k:
-            own.append(-_sum(d, P, s, size).a[k] * over)
+            own.append(-value(d, P, s).a[k] * over)
             P, s = along(own, dual)
-        dual.append(-_sum(d, P, s, size).b[k] * over)
+        dual.append(-value(d, P, s).b[k] * over)
         P, s = along(own, dual)
-    slope = _sum(by_P, P, s, size) - speed * _sum(by_s, P, s, size)
-    return _sum(n, P, s, size) / slope
-
-
-def _sum(local: Local, P: _Dual, s: _Dual, size: int) -> _Dual:
-    zero = _Dual(_series([0], size), _series([0], size))
-    total = zero
-    for row in reversed(_rows(local)):
-        inner = zero
-        for c in reversed(row):
-            inner = inner * s + _Dual(_series([c], size), zero.b)
-        total = total * P + inner
-    return total
+    slope = value(by_P, P, s) - speed * value(by_s, P, s)
+    return value(n, P, s) / slope
 
 
 def _series(coefficients: Sequence[Any], size: int) -> acb_series:

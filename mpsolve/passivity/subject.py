@@ -34,12 +34,16 @@ Free = Mapping[tuple[int, ...], Fraction]
 
 @dataclass(frozen=True)
 class Subject:
-    """power: that of the track at rest; D: its dispersion in P, s and the parameters; v and places as polynomials."""
+    """power: that of the track at rest; D: its dispersion in P, s and the parameters; v and places as polynomials.
+
+    own: as in `Guide`, where the track has no free parameters.
+    """
 
     power: Power
     D: Mapping[tuple[int, ...], Fraction]
     v: Free
     places: tuple[Free, ...]
+    own: tuple[Fraction, int] | None = None
 
     @staticmethod
     def of_guide(guide: Guide, places: Sequence[Fraction] = (Fraction(0),), free_velocity: bool = False) -> Subject:
@@ -47,7 +51,7 @@ class Subject:
         names = ("v",) if free_velocity else ()
         D, N = ({(*key, *[0] * len(names)): c for key, c in a.items()} for a in (guide.D_rest, guide.N_rest))
         v: Free = {(1,): Fraction(1)} if free_velocity else {(): guide.v}
-        return Subject(Power.of(D, N, names), D, v, tuple({(0,) * len(names): x} for x in places))
+        return Subject(Power.of(D, N, names), D, v, tuple({(0,) * len(names): x} for x in places), guide.own)
 
     @staticmethod
     def of_reduced(reduced: Reduced) -> Subject:

@@ -11,8 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
-from math import comb
-from typing import Any, TypeVar, cast
+from typing import Any, TypeVar
 
 from flint import arb, fmpq_mpoly_ctx, fmpq_poly
 
@@ -21,7 +20,7 @@ from mpsolve.numbers.balls import precision
 from mpsolve.numbers.bivariate import to_rows
 from mpsolve.numbers.realroots import as_fmpq, is_positive, negative_point, positive_roots
 from mpsolve.problem.reduced import Guide, Reduced
-from mpsolve.tracks.waveguide import Polynomial, Track, Waveguide, moving
+from mpsolve.tracks.waveguide import Polynomial, Track, Waveguide, moved, moving
 
 C = TypeVar("C")
 _TERMS = {(4, 0), (2, 0), (0, 0), (0, 1), (0, 2)}
@@ -116,11 +115,7 @@ def on_line(reduced: Reduced) -> Line | None:
 
 def moved_in_s(D: Mapping[tuple[int, int], C], by: Fraction) -> dict[tuple[int, int], C]:
     """D(P, s + by), whatever its coefficients are: exact numbers, or polynomials in free parameters."""
-    out: dict[tuple[int, int], Any] = {}
-    for (i, j), c in D.items():
-        for k in range(j + 1):
-            out[i, k] = cast(Any, c) * (comb(j, k) * by ** (j - k)) + out.get((i, k), 0)
-    return {key: c for key, c in out.items() if c}
+    return {key: c for key, c in moved(D, 1, by).items() if c}
 
 
 def moved_pencil(S: tuple[Any, Any, Any], by: Fraction) -> tuple[Any, Any, Any]:

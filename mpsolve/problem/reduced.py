@@ -18,6 +18,7 @@ from mpsolve.errors import InputError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.model import shown
 from mpsolve.problem.problem import Problem
+from mpsolve.tracks.structure import own_damping
 from mpsolve.tracks.waveguide import Polynomial, Track, Waveguide, mapped, moving, scaled
 from mpsolve.vehicles.felt import Parts, split_felt
 from mpsolve.vehicles.vehicle import Rows
@@ -25,7 +26,10 @@ from mpsolve.vehicles.vehicle import Rows
 
 @frozen
 class Guide:
-    """The track at a velocity in scaled units: D̂ and N̂ at rest (in P, s) and moving (in P, σ)."""
+    """The track at a velocity in scaled units: D̂ and N̂ at rest (in P, s) and moving (in P, σ).
+
+    own: (c, i) if the loaded field alone has the damping c p^i, i ≥ 2.
+    """
 
     length: int
     time: int
@@ -35,6 +39,7 @@ class Guide:
     N: Polynomial
     v: Fraction
     g: Fraction
+    own: tuple[Fraction, int] | None = None
 
     @property
     def degree(self) -> int:
@@ -144,7 +149,10 @@ def track_guide(track: Track | Waveguide, velocity: Fraction) -> Guide:
     D, N = scaled(D, Fraction(2) ** -e), scaled(N, Fraction(2) ** -f)
     v = velocity * unit_P / unit_s
     g = Fraction(2) ** (f - e - length)
-    guide = Guide(length, time, D, N, moving(D, v), moving(N, v), v, g)
+    own = own_damping(waveguide)
+    if own is not None:
+        own = own[0] * unit_s * unit_P ** own[1] * g / unit_P, own[1]
+    guide = Guide(length, time, D, N, moving(D, v), moving(N, v), v, g, own)
     _require_no_wave_speed(guide, velocity)
     _require_waves(guide)
     return guide

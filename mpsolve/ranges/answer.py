@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from fractions import Fraction
+from time import process_time
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from mpsolve.numbers.balls import precision, rational_ball
@@ -29,6 +30,16 @@ class Spent:
     seconds: float
     verification: float = 0.0
     boxes: int = 0
+
+    @classmethod
+    def since(cls, started: float, *bases: Spectrum | None, boxes: int = 0) -> Spent:
+        """From this processor time on, where the verifier passed these spectra."""
+        checked = sum(base.cost.verification for base in bases if base is not None)
+        return cls(process_time() - started - checked, checked, boxes)
+
+    def with_check(self, seconds: float) -> Spent:
+        """With what a further check took."""
+        return replace(self, verification=self.verification + seconds)
 
 
 def joined_cost(one: Spent, other: Spent) -> Spent:

@@ -135,7 +135,7 @@ def _chart(
         X = scope.X
     except OpenError as error:
         counts = np.full((2**depth, 2**depth), OPEN)
-        cost = Spent(process_time() - started)
+        cost = Spent.since(started)
         return Chart(problem, over, Status.UNDECIDED, error.reason, cost=cost, x=edges[0], y=edges[1], counts=counts)
     low, high = scope.corners
     smallest = 2.0 ** -(float(max(depth, _FINE)) + np.array(_SMALLER))
@@ -162,16 +162,13 @@ def _chart(
     family = scope.family
     proof = Proof(over, family.units, family.frequency_unit, X, cover)
     reason = cover.reason if spent else reason
+    cost = Spent.since(started, *(part.spectrum for part in parts), boxes=budget.spent)
     progress("verifying", 0.9)
     made = _certified(scope, cover.tree, parts, regions, budget if check else None) if reason is None else None
-    verification = (made.seconds if made else 0.0) + sum(
-        part.spectrum.cost.verification for part in parts if part.spectrum is not None
-    )
-    cost = Spent(process_time() - started - verification, verification, budget.spent)
     proofs = tuple(replace(proof, base=part.spectrum) for part in parts) or (proof,)
     more: dict[str, Any] = {"proofs": proofs, "cost": cost}
     if made:
-        more |= {"note": late or made.note, "certificate": made.certificate}
+        more |= {"note": late or made.note, "certificate": made.certificate, "cost": cost.with_check(made.seconds)}
     status = made.status if made else Status.UNDECIDED
     lost = (detail == BOUNDARY) & ~next_to(detail.shape, edges, curves)
     whole = all(curve.whole for curve in curves) and not lost.any()
@@ -187,13 +184,13 @@ def _by_theorem(
     """The chart where theorems tell of cells. Between those without and those with growing roots runs a boundary."""
     started = process_time()
     counts = np.where(told.quiet, 0, BOUNDARY if told.alike.any() else OPEN)
-    parts, reason, verification = [], None, 0.0
+    parts, reason, found = [], None, None
     if told.quiet.any():
         parts.append(Part(int(told.quiet.sum()), point_in(over, edges, told.quiet), 0))
     if told.alike.any():
         point = point_in(over, edges, told.alike)
         found = base_at(at_corner(problem, point), effort, check)
-        roots, verification = growing(found), found.cost.verification
+        roots = growing(found)
         counts[told.alike] = OPEN if roots is None else roots
         parts.append(Part(int(told.alike.sum()), point, roots, found))
         reason = uncounted(found, "of a region") if roots is None else None
@@ -201,7 +198,7 @@ def _by_theorem(
         reason = left_open(problem, over)[0]
     return Chart(
         problem, over, Status.UNVERIFIED if reason is None else Status.UNDECIDED, reason, counts=counts,
-        parts=tuple(parts), note=told.note, cost=Spent(process_time() - started - verification, verification),
+        parts=tuple(parts), note=told.note, cost=Spent.since(started, found),
     )  # fmt: skip
 
 

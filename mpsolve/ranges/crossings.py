@@ -155,15 +155,13 @@ def _within(
     if unbounded is not None:
         known: dict[str, Any] = {"crossings": len(inside)}
         known |= {COMPLETE: Fraction(X) * family.frequency_unit} if reason is None else {}
-        cost = Spent(process_time() - started, 0.0, budget.spent)
+        cost = Spent.since(started, boxes=budget.spent)
         return Crossings(problem, over, Status.UNDECIDED, unbounded, known, (proof,), cost, **common)
     counts, base = None, None
     if reason is None:
         progress("base", 0.9)
         counts, base, reason = _counts(problem, over, inside, budget, check)
-    spent = process_time() - started
-    seconds = base.cost.verification if base is not None else 0.0
-    cost = Spent(spent - seconds, seconds, budget.spent)
+    cost = Spent.since(started, base, boxes=budget.spent)
     proofs = (replace(proof, base=base),)
     if reason is not None:
         known = {"crossings": len(inside)}
@@ -174,8 +172,7 @@ def _within(
     progress("verifying", 0.9)
     asked = budget if check else None
     found = verified(lambda: crossings_certificate(scope, cover.tree, rooms, at, claim), cover.tree.nodes, asked)
-    cost = replace(cost, verification=cost.verification + found.seconds)
-    common |= {"proofs": proofs, "cost": cost, "counts": counts}
+    common |= {"proofs": proofs, "cost": cost.with_check(found.seconds), "counts": counts}
     return Crossings(problem, over, found.status, certificate=found.certificate, note=found.note, **common)
 
 

@@ -9,7 +9,6 @@ changes sign or at the end; and below it the number of unstable roots is that at
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
@@ -23,15 +22,12 @@ from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.numbers.arrays import Reals
 from mpsolve.numbers.balls import arb, precision, rational_ball
 from mpsolve.outcome import Reason
-from mpsolve.problem.problem import Problem
-from mpsolve.progress import Progress
-from mpsolve.proof.effort import Effort
 from mpsolve.proof.subdivide import Covered, subdivide
-from mpsolve.ranges.answer import Interval, Proof
-from mpsolve.ranges.base import base_at, uncounted
+from mpsolve.ranges.answer import Proof
+from mpsolve.ranges.base import Question, base_at, uncounted
 from mpsolve.ranges.curves import CrossingCurve
 from mpsolve.ranges.ridge import HALF, Ridge, alone, ridge
-from mpsolve.ranges.scope import OpenError, Scope
+from mpsolve.ranges.scope import OpenError
 from mpsolve.ranges.seen import count_seen, each_seen
 from mpsolve.ranges.stationary import Candidate, Lowest, lowest_near, proved_lowest
 
@@ -45,7 +41,7 @@ _PARTS = (8, 32, 128, 512)
 _LIFT = 0.4  # of how far the crossing rises to the rim of the hole: the ceiling of the tree
 _SPREAD = 1.5
 _ALONG, _SLACK = (0.03, 0.3), 1.6  # boxes of parts: of their length along the second, at least, along the others
-_NEXT = "give shorter ranges"
+NEXT = "give shorter ranges"
 
 
 def _as_low(found: Candidate, least: float) -> bool:
@@ -69,17 +65,9 @@ class Least:
 
 
 @dataclass
-class Question:
+class LeastOnset(Question):
     """Two ranges under proof; the family has the first parameter first."""
 
-    problem: Problem
-    over: Mapping[str, Interval]
-    scope: Scope
-    digits: int
-    budget: Effort
-    progress: Progress
-    check: bool
-    base: Any = None
     below: Fraction = Fraction(0)  # the value at which its roots were counted
 
     def answer(self) -> Least:
@@ -124,7 +112,7 @@ class Question:
         lowest = proved_lowest(CrossingCurve(self.scope.proved), found, self.scope.family.box[1], goal)
         x = lowest.state[1]
         if not all(curve.holds(state, y) for y, state in lowest.beside) or not x < arb(float(ceiling)):
-            raise OpenError(Reason("worst", "the least onset is not proved to lie where it was found", {}, _NEXT))
+            raise OpenError(Reason("worst", "the least onset is not proved to lie where it was found", {}, NEXT))
         if not x > rational_ball(self.scope.family.box[0][0]):
             stated = (
                 "the least crossing that was found lies before the range, so that roots may grow from its start on"
@@ -132,7 +120,7 @@ class Question:
             raise OpenError(Reason("unstable", stated, {}, "give a range that begins lower"))
         if not x > rational_ball(self.below):
             stated = "the least onset is not proved to lie above the point at which roots were counted"
-            raise OpenError(Reason("worst", stated, {}, _NEXT))
+            raise OpenError(Reason("worst", stated, {}, NEXT))
         return self._in_units(lowest, found.where, self._proof(cover, (hole,)))
 
     def _found(self) -> Candidate | None:
@@ -170,7 +158,7 @@ class Question:
             curve = ridges[long] = ridges[long] if long in ridges else self._ridge(found, long)
             if curve is not None and curve.within(m, sizes[n]):
                 return (m - half, m + half), curve
-        raise OpenError(Reason("worst", "the least onset is not proved to be alone near where it lies", {}, _NEXT))
+        raise OpenError(Reason("worst", "the least onset is not proved to be alone near where it lies", {}, NEXT))
 
     def _ridge(self, found: Candidate, half: float) -> Ridge | None:
         """The crossings over all ŷ of the hole within the range, where they are proved to be lowest at one point."""

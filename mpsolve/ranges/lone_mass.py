@@ -158,7 +158,7 @@ def without_damping(
     path, at = next(iter(over)), short_between(part.low, part.high)
     base = base_at(problem.changed(path, at), effort, check)
     number = growing(base)
-    cost = Spent(process_time() - started - base.cost.verification, base.cost.verification)
+    cost = Spent.since(started, base)
     if number is None:
         why = uncounted(base, f"at {path} = {float(at):.6g}")
         return Crossings(problem, over, Status.UNDECIDED, why, digits=digits, cost=cost)

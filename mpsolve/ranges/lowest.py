@@ -20,11 +20,8 @@ from flint import arb
 from mpsolve.numbers.balls import acb, precision, rational_ball
 from mpsolve.numbers.plain import float_beside
 from mpsolve.outcome import Reason
-from mpsolve.problem.problem import Problem
-from mpsolve.progress import Progress
-from mpsolve.proof.effort import Effort
-from mpsolve.ranges.answer import Interval, Proof
-from mpsolve.ranges.base import base_at, uncounted
+from mpsolve.ranges.answer import Proof
+from mpsolve.ranges.base import Question, base_at, uncounted
 from mpsolve.ranges.curves import RootCurve
 from mpsolve.ranges.line import Line, cross_line, follow, stretch
 from mpsolve.ranges.scope import OpenError, Scope
@@ -56,18 +53,8 @@ class Found:
     proofs: tuple[Proof, ...]
 
 
-@dataclass
-class Question:
-    """A range under proof."""
-
-    problem: Problem
-    over: dict[str, Interval]
-    scope: Scope
-    digits: int
-    budget: Effort
-    progress: Progress
-    check: bool
-    base: Any = None
+class LowestRoot(Question):
+    """A range of one parameter under proof."""
 
     @property
     def _ends(self) -> tuple[arb, arb]:

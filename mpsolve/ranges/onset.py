@@ -14,7 +14,7 @@ from typing import Any
 from flint import arb
 
 from mpsolve.certificate.solve import checked_digits
-from mpsolve.errors import EffortError, InputError, PrecisionError
+from mpsolve.errors import InputError
 from mpsolve.numbers.balls import rational_ball
 from mpsolve.outcome import Reason, Status
 from mpsolve.parallel.threads import one_thread
@@ -24,9 +24,9 @@ from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges.answer import Answer, Interval, Spent, Valued
 from mpsolve.ranges.crossed import Crossings, LeftOut
-from mpsolve.ranges.least_onset import Least, Question
+from mpsolve.ranges.least_onset import NEXT, Least, LeastOnset
 from mpsolve.ranges.never import never_unstable
-from mpsolve.ranges.scope import OpenError, checked_over, from_above_rest, one_path, scope_of
+from mpsolve.ranges.scope import checked_over, from_above_rest, one_path, scope_of
 from mpsolve.ranges.seen import BEYOND, up_to_first
 from mpsolve.ranges.unstable import found_in, intervals_of, near, shared
 
@@ -187,20 +187,12 @@ def _at_worst(
         raise InputError("worst", f"{stated}: give a range of one parameter each, of two different ones")
     if never_unstable(problem, first | second):
         nothing = Least(None, None, None, "", ())
-        return _told_at_worst(given, first | second, digits, nothing, None, Spent(process_time() - started))
+        return _told_at_worst(given, first | second, digits, nothing, None, Spent.since(started))
     both = from_above_rest(problem, first | second)
     budget = begun(effort, _BOXES)
-    reason, found = None, None
     with one_thread():
-        question = Question(problem, both, scope_of(problem, both), digits, budget, progress, check)
-        try:
-            found = question.answer()
-        except (OpenError, EffortError) as error:
-            reason = error.reason
-        except PrecisionError as error:
-            reason = Reason("worst", str(error), {}, "give shorter ranges")
-    checked = question.base.cost.verification if question.base is not None else 0.0
-    cost = Spent(process_time() - started - checked, checked, budget.spent)
+        question = LeastOnset(problem, both, scope_of(problem, both), digits, budget, progress, check)
+        found, reason, cost = question.told(started, "worst", NEXT)
     return _told_at_worst(given, both, digits, found, reason, cost)
 
 

@@ -79,8 +79,7 @@ def _refuted_undamped(problem: Problem, over: dict[str, Interval], effort: Effor
     started = process_time()
     point = {path: high if path in undamped.SPEEDS else low for path, (low, high) in over.items()}
     found = base_at(undamped.at_corner(problem, point), effort, check)
-    checked = found.cost.verification
-    cost = Spent(process_time() - started - checked, checked)
+    cost = Spent.since(started, found)
     if found.stable is False:
         return Robust(problem, over, found.status, cost=cost, stable=False, counterexample=point, spectrum=found)
     return Robust(problem, over, Status.UNDECIDED, *undamped.left_open(problem, over), cost=cost)
@@ -105,8 +104,7 @@ class _Question:
     started: float
 
     def cost(self, spectrum: Any = None) -> Spent:
-        seconds = spectrum.cost.verification if spectrum is not None else 0.0
-        return Spent(process_time() - self.started - seconds, seconds, self.budget.spent)
+        return Spent.since(self.started, spectrum, boxes=self.budget.spent)
 
     def certified(self, x: Reals) -> tuple[Mapping[str, Fraction], Spectrum]:
         """The certified spectrum at a float point of x̂, and the point in the problem's units."""
@@ -195,8 +193,7 @@ def _answer(question: _Question, progress: Progress, workers: int) -> Robust:
         cover.tree.nodes,
         question.budget if question.check else None,
     )
-    common["cost"] = replace(common["cost"], verification=common["cost"].verification + made.seconds)
-    common |= {"certificate": made.certificate, "note": made.note}
+    common |= {"certificate": made.certificate, "note": made.note, "cost": common["cost"].with_check(made.seconds)}
     return Robust(question.problem, question.over, made.status, stable=True, **common)
 
 

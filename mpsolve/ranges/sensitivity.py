@@ -93,8 +93,7 @@ def sensitivity(
             "multiple", "a multiple root has no slope", {}, "ask for more digits, so that close roots part"
         )
     status = Status.UNVERIFIED if reason is None else Status.UNDECIDED
-    seconds = found.cost.verification
-    cost = Spent(process_time() - started - seconds, seconds)
+    cost = Spent.since(started, found)
     note = "" if reason else "the roots have one, in .spectrum.certificate, and their slopes have none"
     return Sensitivity(problem, {}, status, reason, cost=cost, note=note, roots=roots, left_out=left, spectrum=found)
 

@@ -11,9 +11,8 @@ from typing import Any
 from flint import arb
 
 from mpsolve.certificate.solve import checked_digits
-from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.numbers.plain import plain
-from mpsolve.outcome import Reason, Status
+from mpsolve.outcome import Status
 from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
@@ -21,9 +20,9 @@ from mpsolve.progress import Progress, silent
 from mpsolve.proof.effort import Effort, begun
 from mpsolve.proof.stopping import stoppable
 from mpsolve.ranges import undamped
-from mpsolve.ranges.answer import Answer, Interval, Spent, Valued
-from mpsolve.ranges.lowest import NEXT, Question
-from mpsolve.ranges.scope import OpenError, checked_over, from_above_rest, one_path, scope_of
+from mpsolve.ranges.answer import Answer, Interval, Valued
+from mpsolve.ranges.lowest import NEXT, LowestRoot
+from mpsolve.ranges.scope import checked_over, from_above_rest, one_path, scope_of
 
 _BOXES = 400_000
 NOTE = "no certificate states where something is lowest yet"
@@ -97,16 +96,9 @@ def _worst(
     started = process_time()
     budget = begun(effort, _BOXES)
     over = from_above_rest(problem, over)
-    question = Question(problem, over, scope_of(problem, over), digits, budget, progress, check)
-    reason, known = None, {}
-    try:
-        known = vars(question.answer())
-    except (OpenError, EffortError) as error:
-        reason = error.reason
-    except PrecisionError as error:
-        reason = Reason("lowest", str(error), {}, NEXT)
-    checked = question.base.cost.verification if question.base is not None else 0.0
-    cost = Spent(process_time() - started - checked, checked, budget.spent)
+    question = LowestRoot(problem, over, scope_of(problem, over), digits, budget, progress, check)
+    found, reason, cost = question.told(started, "lowest", NEXT)
+    known = vars(found) if found else {}
     status = Status.UNVERIFIED if reason is None else Status.UNDECIDED
     note = NOTE if reason is None else ""
     return Worst(problem, over, status, reason, cost=cost, note=note, digits=digits, **known)

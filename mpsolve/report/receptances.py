@@ -96,7 +96,7 @@ def receptances(
 
 
 def _between(problem: Problem, omega: tuple[float, ...]) -> Complexes:
-    places = np.array([float(x) for x in problem.pencil.places])
+    places = np.array(problem.pencil.places, float)
     if len(set(places.tolist())) < len(places):
         raise InputError("--contacts", "asks for a matrix, but two contacts stand at one place: it has no inverse")
     gaps, index = np.unique(places[:, None] - places, return_inverse=True)

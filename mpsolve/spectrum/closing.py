@@ -89,7 +89,7 @@ def _spread(reduced: Reduced, rho: float, middle: Any, radius: Reals) -> float:
     """A bound of how far the arguments of M and M₀ differ."""
     with precision(64):
         exact = _accretive(reduced, acb(0, rho), middle)
-    M0 = np.array([[complex(x) for x in row] for row in exact])
+    M0 = np.array(exact, complex)
     n, m = len(M0), reduced.bodies
     index = np.array(reduced.index)
     error = np.zeros((n, n))

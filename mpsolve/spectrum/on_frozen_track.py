@@ -7,8 +7,6 @@ track that does not move at all the vehicle shows how far out its own vibrations
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from mpsolve.characteristic.floats import Floats
@@ -22,7 +20,7 @@ _SMALL, _SHARE = 40, 1e-5  # bodies: of more, only from this part of the size on
 def on_frozen_track(function: Floats, size: float) -> Complexes:
     """Scaled q̂, Re q̂ ≥ 0, up to |q̂| = size or a little beyond."""
     reduced = function.reduced
-    S, B = [_floats(rows) for rows in reduced.S], _floats(reduced.B)
+    S, B = [np.array(rows, float) for rows in reduced.S], np.array(reduced.B, float)
     n, least = len(B), _LEAST if len(B) <= _SMALL else _SHARE
     q = size * _RATIO ** np.arange(np.log(least) / np.log(_RATIO), 1)
     with np.errstate(all="ignore"):
@@ -45,9 +43,9 @@ def on_frozen_track(function: Floats, size: float) -> Complexes:
 
 def on_rigid_rail(reduced: Reduced) -> Complexes:
     """The vehicle's own σ̂ where springs of contacts stand on a rail that stands still; tight contacts are free."""
-    (K, C, M), B = (_floats(rows) for rows in reduced.S), _floats(reduced.B)
+    (K, C, M), B = (np.array(rows, float) for rows in reduced.S), np.array(reduced.B, float)
     soft = [j for j, h in enumerate(reduced.h) if h]
-    K = K + (B[:, soft] / np.array([float(reduced.h[j]) for j in soft])) @ B[:, soft].T
+    K = K + (B[:, soft] / np.array([reduced.h[j] for j in soft], float)) @ B[:, soft].T
     n = len(M)
     try:
         inverse = np.linalg.pinv(M)
@@ -55,7 +53,3 @@ def on_rigid_rail(reduced: Reduced) -> Complexes:
     except np.linalg.LinAlgError:
         return np.zeros(0, complex)
     return found.astype(complex)
-
-
-def _floats(rows: Any) -> Any:
-    return np.array([[float(x) for x in row] for row in rows])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from mpsolve.characteristic.start import APART, NoStartError
+from mpsolve.characteristic.start import NoStartError
 from mpsolve.errors import EffortError, PrecisionError
 from mpsolve.outcome import Reason
 from mpsolve.problem.line import Line
@@ -32,7 +32,7 @@ def reason_of(reduced: Reduced, error: EffortError | PrecisionError) -> Reason:
     if isinstance(error, WavesMeetError):
         return Reason("waves-meet", str(error), {}, "ask for a Rectangle that keeps away from q = 0, with re_min > 0")
     if isinstance(error, NoStartError):
-        return Reason("start", APART[0], {}, APART[1])
+        return Reason("start", error.words[0], {}, error.words[1])
     if isinstance(error, OpenPieceError):
         return _at_place(reduced, error.place)
     return Reason("count", str(error), {}, "ask for a Rectangle that keeps away from the real axis")

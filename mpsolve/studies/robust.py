@@ -66,7 +66,7 @@ def prove_stable(
     made = study(
         spec, executor, store=store, workers=workers, progress=lambda done, total: tell("parts", done / total)
     )
-    return replace(_read(given, ranges, made, check), problem=problem, cost=Spent(process_time() - started))
+    return replace(_read(given, ranges, made, check), problem=problem, cost=Spent.since(started))
 
 
 def _spec(problem: Problem, over: Mapping[str, Interval], effort: Effort | None, check: bool) -> dict[str, Any]:

@@ -8,10 +8,12 @@ h_c = inf −Re s.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import Enum
 from fractions import Fraction
 from functools import lru_cache
 from math import comb
+from typing import Any
 
 from flint import arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
@@ -98,13 +100,13 @@ def lowest_cut(track: Track | Waveguide, bits: int = 20) -> tuple[Fraction, Frac
     D = rows_of(track.waveguide)
     guess, fine = _guessed_height(D), Fraction(1, 2 ** (bits + 1))
     low, high = guess * (1 - fine), guess * (1 + fine)
-    while not is_stable(shifted(D, low)):
+    while not is_stable(shifted(D, as_fmpq(low))):
         low, high = low / 2, low
-    while is_stable(shifted(D, high)):
+    while is_stable(shifted(D, as_fmpq(high))):
         low, high = high, 2 * high
     while high - low > 2 * fine * high:
         middle = (low + high) / 2
-        low, high = (middle, high) if is_stable(shifted(D, middle)) else (low, middle)
+        low, high = (middle, high) if is_stable(shifted(D, as_fmpq(middle))) else (low, middle)
     return low, high
 
 
@@ -146,11 +148,9 @@ def in_squares(polynomial: Polynomial, name: str) -> Rows:
     return [fmpq_poly([as_fmpq(row.get(k, Fraction(0))) for k in range(max(row, default=-1) + 1)]) for row in table]
 
 
-def shifted(D: Rows, h: Fraction) -> Rows:
-    """D(ip, s − h)."""
-    powers = [as_fmpq((-h) ** k) for k in range(len(D))]
-    zero = fmpq_poly([])
-    return [sum((comb(j, k) * powers[j - k] * D[j] for j in range(k, len(D))), zero) for k in range(len(D))]
+def shifted(D: Sequence[Any], h: Any) -> list[Any]:
+    """D(ip, s − h), h a number of FLINT, or a polynomial as those of D."""
+    return [sum((comb(j, k) * (-h) ** (j - k) * D[j] for j in range(k + 1, len(D))), D[k]) for k in range(len(D))]
 
 
 def wavenumber(y: Fraction | arb) -> float:
@@ -230,8 +230,7 @@ def _bounded_away(D: Rows) -> bool:
     context = fmpq_mpoly_ctx.get(("h", "y"), "lex")
     h = context.gens()[0]
     rows = [from_rows([row], context) for row in D]
-    moved = [sum((comb(j, k) * (-h) ** (j - k) * rows[j] for j in range(k, len(D))), 0 * h) for k in range(len(D))]
-    return all(_far_sign(minor) > 0 for minor in hurwitz_minors(moved))
+    return all(_far_sign(minor) > 0 for minor in hurwitz_minors(shifted(rows, h)))
 
 
 def _far_sign(minor: fmpq_mpoly) -> int:

@@ -47,6 +47,21 @@ def passive_by_equations(guide: Waveguide) -> bool:
     return _passive(guide.matrix, lambda minor: negative_point(_in_y(minor)) is None)
 
 
+def own_damping(guide: Waveguide) -> tuple[Fraction, int] | None:
+    """(c, i), even i ≥ 2, if the loaded field has the damping c p^i of its own: the track is passive without it.
+
+    Then |N/D| ≤ 1/(|s| c p^i) for Re s ≥ 0 (SPEC2, section 6.2).
+    """
+    loaded, entry = guide.loaded, guide.matrix[guide.loaded][guide.loaded]
+    i = max((i for i, j in entry if j == 1), default=0)
+    c = entry.get((i, 1), Fraction(0)) * (-1) ** (i // 2)
+    if i < 2 or i % 2 or c <= 0:
+        return None
+    rows = [list(row) for row in guide.matrix]
+    rows[loaded][loaded] = {key: x for key, x in entry.items() if key != (i, 1)}
+    return (c, i) if passive_by_equations(Waveguide(tuple(map(tuple, rows)), loaded)) else None
+
+
 def balanced(matrix: Matrix, loaded: int) -> Matrix:
     """The same equations, those of the other rows times numbers that let them show passivity; else as they are."""
     factors, open_ = {loaded: Fraction(1)}, [loaded]

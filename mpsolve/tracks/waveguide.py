@@ -144,6 +144,17 @@ def carried(a: Mapping[tuple[int, int], Any], velocity: Any) -> dict[tuple[int, 
     return out
 
 
+def moved(a: Mapping[tuple[int, int], Any], axis: int, by: Any) -> dict[tuple[int, int], Any]:
+    """a(P + by, s) for axis 0, a(P, s + by) for axis 1, whatever the coefficients are; some may be 0."""
+    out: dict[tuple[int, int], Any] = {}
+    for key, c in a.items():
+        for k in range(key[axis] + 1):
+            at = (key[0], k) if axis else (k, key[1])
+            term = c * (comb(key[axis], k) * by ** (key[axis] - k))
+            out[at] = out[at] + term if at in out else term
+    return out
+
+
 def slope_in_s(a: Mapping[tuple[int, int], Any]) -> dict[tuple[int, int], Any]:
     """The derivative in s, or in σ."""
     return {(i, j - 1): j * c for (i, j), c in a.items() if j}

@@ -64,7 +64,7 @@ def outer_forces(pencil: Pencil, loads: Any) -> Outer:
     terms = exact_forces(pencil, loads)
     rows = [(one.constant, one.amplitude, one.frequency, one.phase) for _, one in terms]
     table, direction = (
-        np.array([[float(x) for x in row] for row in some]).reshape(-1, width)
+        np.array(some, float).reshape(-1, width)
         for some, width in ((rows, 4), ([direction for direction, _ in terms], pencil.size))
     )
     return Outer(direction.T, *table.T)

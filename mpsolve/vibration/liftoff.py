@@ -10,6 +10,7 @@ import numpy as np
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.arrays import Reals
+from mpsolve.numbers.float64 import lowest
 from mpsolve.vibration.integral import CLEAR
 from mpsolve.vibration.poles import natural
 from mpsolve.vibration.solution import Solution
@@ -132,7 +133,7 @@ def first_fall(f: Callable[[Any], Any], grid: Reals, row: Any, noise: float, abo
     inner = np.arange(1, min(stop, len(row) - 1))
     low = (row[inner] < np.minimum(row[inner - 1], row[inner + 1])) & (row[inner] < _LOW * np.abs(row).max())
     for k in inner[low]:
-        at, value = _lowest(f, grid[k - 1], grid[k + 1])
+        at, value = lowest(f, np.linspace(grid[k - 1], grid[k + 1], 2 * _PARTS + 1), 2 * _PARTS + 1, _ZOOMS)
         if value < -noise:
             return _between(f, last_above(grid[:k], row[:k], noise, above), at, noise)
     if not len(below):
@@ -144,16 +145,6 @@ def last_above(grid: Reals, row: Any, noise: float, before: float | None) -> flo
     """The last time of the grid at which the row is above the noise, else `before`."""
     pressed = np.flatnonzero(row > noise)
     return float(grid[pressed[-1]]) if len(pressed) else before
-
-
-def _lowest(f: Callable[[Any], Any], left: float, right: float) -> tuple[float, float]:
-    """The least value between, and its time."""
-    for _ in range(_ZOOMS):
-        inner = np.linspace(left, right, 2 * _PARTS + 1)
-        values = f(inner)
-        k = int(np.argmin(values))
-        left, right = inner[max(0, k - 1)], inner[min(len(inner) - 1, k + 1)]
-    return float(inner[k]), float(values[k])
 
 
 def _between(f: Callable[[Any], Any], left: float | None, right: float, noise: float) -> Fall:

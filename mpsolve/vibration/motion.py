@@ -145,7 +145,7 @@ def vibration(
         image, parts.total, steady=parts.static + parts.forced, steady_harmonic=parts.forced, harmonic=parts.free,
         transient=parts.transient,
     )  # fmt: skip
-    places = np.array([float(x) for x in image.places])
+    places = np.array(image.places, float)
     return Vibration(problem, times, places, **rows, error=largest, solution=solution, solve=solve)
 
 

@@ -9,7 +9,7 @@ from flint import fmpq_poly
 
 from mpsolve.errors import InputError
 from mpsolve.numbers.arrays import Complexes, Integers, Reals
-from mpsolve.numbers.float64 import companions, polynomial_and_slope
+from mpsolve.numbers.float64 import balanced, polynomial_and_slope
 from mpsolve.tracks.at_rest import rows_of
 from mpsolve.tracks.waveguide import Track, Waveguide
 
@@ -67,16 +67,9 @@ def _damped(rows: list[fmpq_poly], p: Reals) -> Complexes:
 
 
 def _roots(c: Reals) -> Any:
-    """The roots of every row of coefficients: eigenvalues of companion matrices in a unit that balances the ends."""
-    n = c.shape[1] - 1
-    first = np.abs(c) > 0
-    low = first.argmax(1)
-    ends = np.abs(c[np.arange(len(c)), low])
-    unit = (ends / np.abs(c[:, n])) ** (1 / np.maximum(n - low, 1))
-    scaled = c * unit[:, None] ** np.arange(n + 1)
-    scaled = scaled / scaled[:, n:]
-    x = np.linalg.eigvals(companions(scaled)).astype(complex)
-    return _polished(scaled, x) * unit[:, None]
+    """The roots of every row of coefficients."""
+    scaled, near, unit = balanced(c)
+    return _polished(scaled, near) * unit
 
 
 def _polished(c: Reals, x: Complexes) -> Complexes:

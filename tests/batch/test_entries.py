@@ -11,7 +11,7 @@ from oracle_general.package import as_problem, known
 from oracle_general.problems import problems
 
 from mpsolve import Problem, tracks, vehicles
-from mpsolve.batch.entries import _array, _clearly_felt, entries_of
+from mpsolve.batch.entries import _clearly_felt, entries_of
 from mpsolve.vehicles.felt import split_felt
 
 BEAM = tracks.EulerBernoulli(EI="0.25", m=1, k=1, c="0.1")
@@ -47,7 +47,7 @@ def test_floats_that_are_sure_are_right(plain: dict[str, Any]) -> None:
         return
     for placed in as_problem(plain).vehicles:
         pencil = placed.vehicle.pencil
-        if _clearly_felt(*(_array(rows) for rows in (pencil.M, pencil.C, pencil.K, pencil.B))):
+        if _clearly_felt(*(np.array(rows, float) for rows in (pencil.M, pencil.C, pencil.K, pencil.B))):
             parts = split_felt(pencil)
             assert parts.unfelt is None
             assert not parts.neutral

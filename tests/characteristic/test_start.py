@@ -7,16 +7,19 @@ from fractions import Fraction
 
 import pytest
 from receptance_truth import Receptance
+from sympy import I, symbols
 from track_models import DAMPED
 
-from mpsolve import certify
+from mpsolve import Problem, certify
 from mpsolve.characteristic import start as module
 from mpsolve.characteristic.discs import Splittings, split
-from mpsolve.characteristic.start import APART, NoStartError, factors, start
+from mpsolve.characteristic.start import APART, REPEATED, NoStartError, factors, start
 from mpsolve.characteristic.table import Table
 from mpsolve.errors import PrecisionError
 from mpsolve.presets.written import problem_of
 from mpsolve.problem.reduced import Guide, reduce_problem, track_guide
+from mpsolve.tracks import Waveguide
+from mpsolve.vehicles import Mass
 
 
 @pytest.mark.parametrize("name", DAMPED)
@@ -69,3 +72,23 @@ def test_a_velocity_beyond_all_waves_is_told_with_a_remedy_that_helps() -> None:
     assert str(found.reason) == ": ".join(APART)
     with pytest.raises(NoStartError, match="check v and its unit"):
         start(reduce_problem(problem).guide)
+
+
+def absorbed(*parts: tuple[int, int]) -> Waveguide:
+    """A beam with absorbers along it: the mass of each, and how many equal springs and dampers it is on."""
+    p, omega = symbols("p Omega")
+    springs = [number * (2 + I * omega / 5) for _, number in parts]
+    rows = [[p**4 / 4 - omega**2 + 1 + I * omega / 10 + sum(springs), *[-spring for spring in springs]]]
+    for k, ((mass, _), spring) in enumerate(zip(parts, springs, strict=True)):
+        rows.append([-spring, *[(spring - mass * omega**2) * int(j == k) for j in range(len(parts))]])
+    return Waveguide(rows)
+
+
+def test_equal_parts_of_a_track_are_named_and_the_remedies_help() -> None:
+    """Of three equal absorbers two combinations move without the beam, with the same p-roots."""
+    load = Mass(2)
+    found = certify(Problem(absorbed((3, 1), (3, 1), (3, 1)), load, v="0.4"), digits=15)
+    assert found.reason is not None
+    assert (found.reason.code, str(found.reason)) == ("start", ": ".join(REPEATED))
+    for helped in (absorbed((9, 3)), absorbed((3, 1), (4, 1), (5, 1))):
+        assert certify(Problem(helped, load, v="0.4"), region="unstable", digits=15).stable

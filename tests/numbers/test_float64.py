@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.polynomial.polynomial import polyval2d
 
-from mpsolve.numbers.float64 import Float64, distinct, log_slope, value_at
+from mpsolve.numbers.float64 import Float64, distinct, log_slope, lowest, value_at
 
 K = Float64()
 
@@ -59,3 +59,10 @@ def test_the_slope_of_a_logarithm_of_determinants() -> None:
     assert np.allclose(found[[0, 3]], moved[[0, 3]], rtol=1e-7)
     assert abs(found[1]) > 1e290
     assert np.isnan(found[2])
+
+
+def test_the_least_value_is_found_on_ever_finer_grids() -> None:
+    x, value = lowest(lambda x: np.where(x > 0, (x - 0.3) ** 2 - 1, np.nan), np.linspace(-1, 1, 11), 21, 8)
+    assert abs(x - 0.3) < 1e-6
+    assert abs(value + 1) < 1e-12
+    assert lowest(lambda x: x, np.linspace(0, 1, 5), 5, 3) == (0.0, 0.0)

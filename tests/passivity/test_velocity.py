@@ -53,6 +53,19 @@ def test_light_damping(eta_b: str) -> None:
             assert G.imag * side > 0
 
 
+def test_a_part_that_vibrates_without_damping() -> None:
+    """A Timoshenko beam turns at √(S/J) without deflection: waves meet there. The signs of Im G are numpy's."""
+    found = passivity_velocity(tracks.Timoshenko(EI="1/4", m=1, k=1, c="0.1", S=10, J="0.05"), over={"v": (0, "1.5")})
+    assert found.kind is Kind.LOST
+    for side, q in ((1, 1e-3), (-1, 1e-3), (-1, 0.1), (-1, 1), (-1, 200**0.5), (-1, 14.2), (-1, 30)):
+        v = float(found.value.mid()) * (1 + side / 1000)
+        s = np.poly1d([-v, 1j * q])
+        rotation = np.poly1d([-0.25, 0, 10]) + 0.05 * s * s
+        D = (np.poly1d([-10, 0, 1]) + s * s + 0.1 * s) * rotation + np.poly1d([100, 0, 0])
+        ahead = D.roots[D.roots.real < 0]
+        assert (rotation(ahead) / D.deriv()(ahead)).sum().imag * side > 0
+
+
 def test_the_velocities_up_to_the_loss_itself_are_covered(monkeypatch: pytest.MonkeyPatch) -> None:
     """The float nearest to the loss lies below it for about half of these beams."""
     tops = []

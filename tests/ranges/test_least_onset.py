@@ -12,14 +12,14 @@ from mpsolve.problem.cases import as_problem
 from mpsolve.progress import silent
 from mpsolve.proof.effort import Effort
 from mpsolve.ranges import least_onset
-from mpsolve.ranges.least_onset import Question
+from mpsolve.ranges.least_onset import LeastOnset
 from mpsolve.ranges.scope import OpenError, scope_of
 
 
-def question(boxes: int = 50_000) -> Question:
+def question(boxes: int = 50_000) -> LeastOnset:
     problem = as_problem(Case(alpha="0.99", eta_b="0.5", eta_m=(1, 1), positions=(0, "1.1")))
     over = {"scale.mass": (Fraction(1, 2), Fraction(40)), "gap[0]": (Fraction("1.05"), Fraction("1.2"))}
-    return Question(problem, over, scope_of(problem, over), 15, Effort(evaluations=boxes), silent, False)
+    return LeastOnset(problem, over, scope_of(problem, over), 15, Effort(evaluations=boxes), silent, False)
 
 
 def test_the_least_one_is_proved() -> None:
@@ -31,20 +31,20 @@ def test_the_least_one_is_proved() -> None:
 
 def test_a_crossing_that_floats_miss_leaves_it_open(monkeypatch: pytest.MonkeyPatch) -> None:
     """As if no crossing were seen, though there is one."""
-    monkeypatch.setattr(Question, "_found", lambda _: None)
+    monkeypatch.setattr(LeastOnset, "_found", lambda _: None)
     with pytest.raises(OpenError):
         question().answer()
 
 
 def test_roots_are_counted_below_the_least_one(monkeypatch: pytest.MonkeyPatch) -> None:
     """As if they were counted at the greatest mass."""
-    counted = Question._require_stable
+    counted = LeastOnset._require_stable
 
-    def at_the_end(self: Question, found: Any) -> None:
+    def at_the_end(self: LeastOnset, found: Any) -> None:
         counted(self, found)
         self.below = self.scope.family.box[0][1]
 
-    monkeypatch.setattr(Question, "_require_stable", at_the_end)
+    monkeypatch.setattr(LeastOnset, "_require_stable", at_the_end)
     with pytest.raises(OpenError, match="counted"):
         question().answer()
 
@@ -61,12 +61,12 @@ def test_a_higher_crossing_is_not_called_the_least(monkeypatch: pytest.MonkeyPat
         question(8_000).answer()
 
 
-def at_100(mass: tuple[str, str], gap: tuple[str, str]) -> Question:
+def at_100(mass: tuple[str, str], gap: tuple[str, str]) -> LeastOnset:
     """Two masses of 10 t on a rail at 100 m/s: unstable beyond 2.22 times the mass, 4.85 m apart."""
     rail = tracks.EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770)
     problem = Problem(rail, vehicles.train(vehicles.Mass("10e3"), 2, "3.4"), v=100)
     over = {path: (Fraction(a), Fraction(b)) for path, (a, b) in (("scale.mass", mass), ("gap[0]", gap))}
-    return Question(problem, over, scope_of(problem, over), 15, Effort(evaluations=50_000), silent, False)
+    return LeastOnset(problem, over, scope_of(problem, over), 15, Effort(evaluations=50_000), silent, False)
 
 
 @pytest.mark.parametrize("gap", [("1", "5"), ("4", "5"), ("4", "6")])

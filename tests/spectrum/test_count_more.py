@@ -22,7 +22,7 @@ from mpsolve.problem.reduced import reduce_problem
 from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.count import Count, count_roots
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle, Region
-from mpsolve.tracks import EulerBernoulli
+from mpsolve.tracks import EulerBernoulli, TwoLayer
 from mpsolve.vehicles import Mass
 
 TABLE = json.loads((Path(__file__).parents[1] / "data" / "general_counts.json").read_text())
@@ -154,3 +154,33 @@ def test_a_train_run_backwards_has_other_roots_but_the_conjugate_symmetry_stays(
     found = certify_problem(pair("110", "1"), region="unstable", check=False)
     roots = np.array([complex(root.q.mid()) for root in found.roots])
     assert np.abs(np.sort_complex(roots) - np.sort_complex(-roots.conj())).max() < 1e-12
+
+
+@pytest.mark.parametrize(("v", "number"), [(0.6, 0), (1.6, 2)])
+def test_sleepers_on_a_rail_that_alone_is_damped(v: float, number: int) -> None:
+    """The whole half-plane, against the turn of det(1 − q²GM) by residues, from D as in books, to |q| = 12."""
+    masses, eta = (10.0, 20.0), 0.1
+    p = np.polynomial.Polynomial([0, 1])
+
+    def delta(q: complex) -> complex:
+        Omega = q - v * p
+        sleepers = 3 - Omega**2
+        D = (p**4 * (1 + 1j * eta * Omega) - Omega**2 + 2) * sleepers - 4
+        roots = D.roots()
+        weights = sleepers(roots) / D.deriv()(roots)
+        up = roots.imag > 0
+        here, ahead = (1j * np.sum(weights[up] * np.exp(1j * roots[up] * x)) for x in (0, 1))
+        back = -1j * np.sum(weights[~up] * np.exp(-1j * roots[~up]))
+        a, b = (1 - q**2 * m * here for m in masses)
+        return complex(a * b - q**4 * masses[0] * masses[1] * ahead * back)
+
+    arc = 12 * np.exp(-1j * np.linspace(np.pi / 2, 1e-7, 400))
+    path = np.concatenate([np.linspace(12, 1e-3, 2000) - 1e-6j, -1j * np.geomspace(1e-3, 12, 300), arc])
+    turns = np.array([delta(q) for q in path])
+    steps = np.angle(turns[1:] / turns[:-1])
+    assert np.abs(steps).max() < 2
+    track = TwoLayer(EI=1, m=1, k_pad=2, m_sleeper=1, k_ballast=1, eta="0.1")
+    problem = Problem(track, [Mass(10).at(0), Mass(20).at(1)], v=repr(v))
+    found = certify_problem(problem, region="unstable", digits=15)
+    assert (found.status, found.region, found.count) == (Status.PROVED, HalfPlane(), number)
+    assert 2 * steps.sum() / (2 * np.pi) == pytest.approx(number, abs=0.05)

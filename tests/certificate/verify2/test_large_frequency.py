@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import copy
+
 import pytest
 from flint import fmpq
 from forging import as_file, stored
 
+from mpsolve import Problem, Status, certify, tracks, vehicles
 from mpsolve.certificate import verify2 as v2
+from mpsolve.spectrum.regions import HalfPlane
 
 BLOCK = stored("joined_masses")["theorem"]["blocks"][0]
 START, END, KAPPA = BLOCK
@@ -93,3 +97,28 @@ def test_decay_at_high_frequency(name, v):
     else:
         with pytest.raises(v2.Refused, match=why):
             v2.check_decay(v2.RING, D, N, with_v)
+
+
+LAYERS = {"EI": 1, "m": 1, "k_pad": 2, "m_sleeper": 1, "k_ballast": 1}
+
+
+def test_the_damping_of_the_rail_alone_bounds_what_short_waves_give():
+    """Without damping the sleepers resonate under short waves at Ω² = 3, where D/p⁴ → 0: no C|D|² is enough there."""
+    two = [vehicles.Mass(10), vehicles.Mass(20).at(1)]
+    found = certify(Problem(tracks.TwoLayer(**LAYERS, eta="0.1"), two, v="1.6"), region="unstable", digits=15)
+    assert (found.status, found.region, found.unstable) == (Status.PROVED, HalfPlane(), 2)
+    assert "passes" in told(found.certificate.content)
+    sharper = copy.deepcopy(found.certificate.content)
+    m, e = sharper["theorem"]["envelope"]
+    sharper["theorem"]["envelope"] = [m, e - 2]
+    assert "may exceed the envelope" in told(sharper)
+    shared = copy.deepcopy(found.certificate.content)  # the same numbers, but dampers between rail and sleepers
+    rows = shared["equations"]["track"]["matrix"]
+    for row, column, c in ((0, 1, "-1/10"), (1, 0, "-1/10"), (1, 1, "1/10")):
+        rows[row][column].append([4, 1, c])
+    assert told(shared) != "passes"
+
+
+def told(content):
+    verdict = v2.verify_bytes(as_file(content))
+    return "passes" if verdict.valid else verdict.reason

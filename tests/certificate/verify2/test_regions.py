@@ -136,7 +136,9 @@ def test_paths_are_of_the_kinds_asked_for_and_not_too_many(monkeypatch):
     for wrong, why in (([], "no points"), ([[0]], "two or three")):
         with pytest.raises(v2.Refused, match=why):
             v2.read_paths([value[0], {"kind": "turn", "points": wrong}], "link turn")
-    monkeypatch.setattr(v2, "MAX_PIECES", 3)
+    monkeypatch.setattr(v2, "MAX_PIECES", 2)
+    assert len(v2.read_paths(value, "link turn")) == 2
+    monkeypatch.setattr(v2, "MAX_PIECES", 1)
     with pytest.raises(v2.Refused, match="too many pieces"):
         v2.read_paths(value, "link turn")
 
