@@ -36,7 +36,7 @@ from mpsolve.spectrum.unfelt import unfelt_frequencies
 
 AnyCount = Count | SheetCount
 MAX_DIGITS, MIN_DIGITS = MOST_DIGITS, 15
-_EVALUATIONS = 200_000  # about a minute; most problems take some thousands
+_EVALUATIONS, _SECONDS = 200_000, 300.0  # without a stated effort; most problems take some thousands, and 0.1 s
 _LONG = 8  # contacts: under a stated effort strips are counted first; fewer are counted as a whole in as much time
 _ROOMS = (1.8, 2.6)  # for a verifier that refuses a piece
 _CLOSED = (AT_REST, PASSIVE, BEHIND)
@@ -63,7 +63,7 @@ def certify_problem(
     for a track that is unstable by itself or, but for such a beam, has no damping, and for regions without meaning.
     """
     started = process_time()
-    budget = begun(effort, _EVALUATIONS)
+    budget = begun(Effort(_SECONDS, _EVALUATIONS) if effort is None else effort)
     tell = _timed(progress or silent, budget)
     reduced = reduce_problem(problem)
     line = on_line(reduced)

@@ -25,6 +25,7 @@ from mpsolve.numbers.jets import U
 from mpsolve.problem.reduced import Guide, Reduced
 
 _K = Float64()
+_AT_ONCE = 2**20  # entries of the matrices whose steps are taken at once
 _LOST = 1e-13
 """What residues of close p-roots may lose in float64 before companion matrices take their place."""
 _TIE = 1e-9  # how near the imaginary axis a p-root is whose side rounding may change, relative to the largest
@@ -154,9 +155,11 @@ class Floats:
         return self.border.at(_K, sigma, self.receptance(sigma, self.border.distances, slope=False)[0])
 
     def step(self, sigma: Any, known: Any) -> Any:
-        """Newton's step to a zero of Δ̂, the known ones divided out."""
+        """Newton's step to a zero of Δ̂, the known ones divided out. σ: an array; large matrices are few at a time."""
+        most = max(1, _AT_ONCE // (self.reduced.bodies + self.reduced.contacts) ** 2)
         with np.errstate(all="ignore"):
-            slope = log_slope(*self.matrices(sigma))
+            parts = [log_slope(*self.matrices(sigma[k : k + most])) for k in range(0, len(sigma), most)]
+            slope = np.concatenate([sigma[:0], *parts])
             for zero in known:
                 slope = slope - 1 / (sigma - zero)
             return -1 / slope

@@ -25,6 +25,7 @@ _SPREAD = 1e-3  # relative: hints that are closer give one start
 _CROWD, _ROUND = 1e-5, 12  # relative radius, and points of a circle round roots that floats may take for one
 _NEXT = 0.03  # relative: the first starts are so far from each other
 _ARRIVED = 1e-9  # a step relative to |q|: the next one is of the size of its square
+_MOST = 2**29  # entries of the matrices at all points together; a search ends there with what it has
 _SAME = 1e-7  # relative: closer roots are taken for one
 
 
@@ -83,13 +84,15 @@ def find_roots(
     hints: points that are dense where Δ̂ turns fast, as those of a contour: tried before any grid. later: more of
     them, that are asked for where those do not lead to all.
     """
-    function = Floats(reduced)
+    function, work = Floats(reduced), 0
     found, before = np.array(known, complex), len(known)
 
-    def all_found(roots: Any) -> bool:
+    def all_found(roots: Any, points: int = 0) -> bool:
+        nonlocal work
         if on_the_way is not None:
             on_the_way()
-        return stood_for(roots, [1.0] * len(roots)) >= count
+        work += points * (reduced.bodies + reduced.contacts) ** 2
+        return work > _MOST or stood_for(roots, [1.0] * len(roots)) >= count
 
     def stood_for(roots: Any, times: list[float]) -> float:
         new = zip(roots[before:].tolist(), times[before:], strict=True)
@@ -204,13 +207,13 @@ def _newton(
     area: Area,
     q: Any,
     found: Any,
-    enough: Callable[[Any], bool] = lambda _: False,
+    enough: Callable[[Any, int], bool] = lambda *_: False,
     steps: int = _STEPS,
 ) -> Any:
     """Roots in the area, old and new ones, until there are enough."""
     slack = _ON_LINE * area.size
     for _ in range(steps):
-        if not len(q) or enough(found):
+        if not len(q) or enough(found, len(q)):
             return found
         step = _step(function, q, found)
         limit = 0.2 * area.size

@@ -14,6 +14,7 @@ from mpsolve.certificate.solve import certify_problem, checked_digits
 from mpsolve.errors import InputError
 from mpsolve.outcome import Status
 from mpsolve.problem.problem import Problem
+from mpsolve.proof.effort import Effort
 from mpsolve.spectrum.regions import Below, HalfPlane, Rectangle
 from mpsolve.tracks import EulerBernoulli, String, Timoshenko, TwoLayer
 from mpsolve.vehicles import Bogie, Coach, Mass, Oscillator, Vehicle
@@ -117,3 +118,16 @@ def test_a_root_on_the_real_axis_is_named_and_left_out_by_the_rectangle_that_is_
     assert abs(6 * q**4 - 35 * q**2 + 20) < 1e-6
     below = certify_problem(problem, region=Rectangle(-5, 5, -1, "-0.001"), digits=15)
     assert (below.status, below.count) == (Status.PROVED, 0)
+
+
+def test_without_a_stated_effort_it_ends_all_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("mpsolve.certificate.solve._SECONDS", 1e-3)
+    problem = Problem(EulerBernoulli(EI="6.4e6", m=60, k="1e6", c=770), [Mass(10000).at(x) for x in (0, 3)], v=200)
+    found = certify_problem(problem, region="unstable")
+    assert found.status is Status.UNDECIDED
+    assert found.reason is not None
+    assert found.reason.code == "effort"
+    assert certify_problem(problem, region="unstable", effort=Effort()).proved
+    for wrong in (0, ""):
+        with pytest.raises(InputError, match="effort"):
+            certify_problem(problem, region="unstable", effort=wrong)  # type: ignore[arg-type]

@@ -172,3 +172,11 @@ def test_newtons_step_leads_to_one_zero_and_then_to_another() -> None:
         assert np.abs(floats.delta(sigma)[0][0]) < 1e-9 * np.abs(around).min()
         assert all(abs(sigma[0] - other) > 1e-3 for other in found)
         found.append(complex(sigma[0]))
+
+
+def test_steps_of_large_matrices_are_taken_a_few_at_a_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    floats, sigma = Floats(reduce_problem(problem("masses"))), points(5, 40)
+    whole = floats.step(sigma, [0.1j])
+    monkeypatch.setattr("mpsolve.characteristic.floats._AT_ONCE", 50)
+    assert np.allclose(floats.step(sigma, [0.1j]), whole, rtol=1e-9)
+    assert floats.step(sigma[:0], []).shape == (0,)

@@ -100,3 +100,23 @@ def test_roots_in_one_place_share_the_zeros_there() -> None:
     alone, both_found = np.array([near]), np.array([near, near * (1 + 1e-9)])
     assert _crowds(function, alone).sum() == pytest.approx(2)
     assert _crowds(function, both_found).sum() == pytest.approx(2)
+
+
+def test_a_search_ends_with_what_it_has_when_it_has_worked_enough(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The work is that of matrices: a train of many coaches would search for ever."""
+    reduced = reduce_problem(problem_of("ballasted", "manchester")[0])
+    area, points = Area(0.0, 2.0, -1.0, 118 / float(reduced.frequency_unit)), [0]
+    step = Floats.step
+
+    def counted(self: Floats, sigma: np.ndarray, known: object) -> object:
+        points[0] += len(sigma)
+        return step(self, sigma, known)
+
+    monkeypatch.setattr(Floats, "step", counted)
+    ends = []
+    for most in (2**18, 2**21, 2**40):
+        monkeypatch.setattr("mpsolve.spectrum.candidates._MOST", most)
+        points[0] = 0
+        find_roots(reduced, (area,), 1000, np.zeros(0, complex))
+        ends.append(points[0])
+    assert 100 < ends[0] < ends[1] < ends[2] / 2
