@@ -33,11 +33,11 @@ SAMPLE = random.Random(18).sample(range(len(MUTATIONS)), 4)
 def clear() -> None:
     """Forget what whole, or broken, functions have kept."""
     for module in ours():
-        for value in list(vars(module).values()):
+        for name, value in list(vars(module).items()):
             if hasattr(value, "cache_clear"):
                 value.cache_clear()
-        if "forget" in vars(module):
-            module.forget()
+            if name.startswith("forget"):
+                value()
 
 
 def ours() -> list[Any]:
