@@ -214,7 +214,7 @@ def _compared(
     the curve on a finite piece of the track, which adds what is to be said of it.
     """
     from mpsolve.problem.cases import as_problem
-    from mpsolve.proof.deadline import in_time
+    from mpsolve.proof.in_time import in_time
     from mpsolve.report.figures_motion import save_comparison
     from mpsolve.vibration.response import response
     from mpsolve.vibration.studies import merged, superposition

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from mpsolve.outcome import Reason, Status
 from mpsolve.progress import Progress
-from mpsolve.proof.deadline import in_time
 from mpsolve.proof.effort import Effort, begun
+from mpsolve.proof.in_time import in_time
 from mpsolve.zeros.answer import Zeros
 
 if TYPE_CHECKING:

@@ -21,8 +21,8 @@ from mpsolve.problem.line import Line, on_line
 from mpsolve.problem.problem import Problem
 from mpsolve.problem.reduced import Reduced, reduce_problem
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.deadline import in_time
 from mpsolve.proof.effort import Effort, begun
+from mpsolve.proof.in_time import in_time
 from mpsolve.proof.stopping import stoppable
 from mpsolve.spectrum.behind import BEHIND
 from mpsolve.spectrum.count import AT_REST, Count, count_roots, line_for

@@ -30,7 +30,7 @@ from mpsolve.passivity.beyond import depth_of, first_passive
 from mpsolve.passivity.decay import overtakes, vanishes
 from mpsolve.passivity.far import prove_tail
 from mpsolve.proof.effort import Effort
-from mpsolve.proof.turning import number_of_zeros
+from mpsolve.proof.winding import number_of_zeros
 from mpsolve.spectrum.closing import closing_argument
 from mpsolve.spectrum.premises import open_at_rest, require_premises
 from mpsolve.spectrum.reasons import WavesMeetError

@@ -1,8 +1,6 @@
 """A hard end: processor time after which whatever runs is left, wherever it is.
 
 An `Effort` ends work at the next look at the clock, with what is known. A deadline is for steps that do not look.
-
-`in_time` has such steps, a verifier for one, within an effort.
 """
 
 from __future__ import annotations
@@ -10,15 +8,12 @@ from __future__ import annotations
 import signal
 import sys
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from time import process_time
 from types import FrameType
-from typing import TypeVar
 
 from mpsolve.numbers.balls import bits_now, precision, terms
-from mpsolve.proof.effort import MORE_EFFORT, Effort
-from mpsolve.proof.stopping import asked_to_end, ended_at_once
 
 _LEAST = 1e-3
 
@@ -65,29 +60,3 @@ def deadline(seconds: float | None) -> Iterator[None]:
             sys.unraisablehook = hook
             if around:
                 signal.setitimer(signal.ITIMER_PROF, max(around - (process_time() - started), _LEAST))
-
-
-T = TypeVar("T")
-
-
-def in_time(
-    step: Callable[[], T], budget: Effort, done: str = "the verifier was through"
-) -> tuple[T | None, str, float]:
-    """(what the step gives, or why it gives nothing, processor seconds).
-
-    It has what is left of the effort, and the first Ctrl-C ends it too. done: what did not come about, in words.
-    """
-    started, left = process_time(), budget.rest()
-    found, why = None, ""
-    try:
-        with ended_at_once(), deadline(None if left is None else left.seconds):
-            found = step()
-    except TimeUpError:
-        asked = (budget.whole or budget).seconds
-        limit = "all the time" if asked is None else f"the effort of {asked:g} s of processor time"
-        why = f"{limit} was spent before {done}: {MORE_EFFORT}"
-    except KeyboardInterrupt:
-        if not asked_to_end():
-            raise
-        why = f"the work was interrupted before {done}"
-    return found, why, process_time() - started

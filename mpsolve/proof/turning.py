@@ -7,8 +7,6 @@ the difference of Σ Arg(pivots of R A) there (SPEC, pieces).
 Why: in the norm max |y_i|/x_i, I + E with |E| ≤ θ. Let E₁₁ be a leading block and α, β the sums of moduli of a later
 row over it and beyond it, α + β ≤ θ. Each row of E₁₁ and E₁₂ has sums θ₁ + θ₂ ≤ θ, so |(I + E₁₁)⁻¹E₁₂| ≤ (θ − θ₁)/
 (1 − θ₁) ≤ θ, and the row's Schur complement differs from that of I by at most β + αθ ≤ θ.
-
-How often a function turns round 0 along a closed path is told as a whole number.
 """
 
 from __future__ import annotations
@@ -16,9 +14,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from flint import arb
 
-from mpsolve.errors import PrecisionError
 from mpsolve.frozen import frozen
 from mpsolve.numbers.arrays import Reals, Truths
 from mpsolve.numbers.jets import TINY, UP, Jet, U
@@ -123,11 +119,3 @@ def solution(A: Jet, f: Jet) -> tuple[Jet, Truths]:
         c = (moved / x).max(1, keepdims=True) / (1 - theta)
         e = (moved + theta * c * x) * (UP + 64 * U)
     return Jet(y0, y1, e, A.r), found.good
-
-
-def number_of_zeros(turns: arb, what: str) -> int:
-    """The only whole number in the real ball; PrecisionError if there is none, more than one, or one below 0."""
-    number = turns.unique_fmpz()
-    if number is None or int(number) < 0:
-        raise PrecisionError(f"the turn of {what} is {turns.str(5)}, which is not one number of roots")
-    return int(number)

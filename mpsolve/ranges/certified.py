@@ -23,8 +23,8 @@ from mpsolve.outcome import Status
 from mpsolve.passivity.far import far_numbers
 from mpsolve.problem.family import Family
 from mpsolve.problem.free_equations import FreeEquations, free_equations
-from mpsolve.proof.deadline import in_time
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.in_time import in_time
 from mpsolve.proof.sheared import SLOPED
 from mpsolve.proof.subdivide import OPEN, Tree
 from mpsolve.ranges.enclosed import Crossing

@@ -24,8 +24,8 @@ from mpsolve.parallel.threads import one_thread
 from mpsolve.problem.cases import Given, as_problem
 from mpsolve.problem.problem import Problem
 from mpsolve.progress import Progress, silent
-from mpsolve.proof.deadline import in_time
 from mpsolve.proof.effort import Effort, begun
+from mpsolve.proof.in_time import in_time
 from mpsolve.proof.stopping import stoppable
 from mpsolve.proof.subdivide import Tree, subdivide
 from mpsolve.ranges.answer import Answer, Interval, Proof, Spent

@@ -26,7 +26,7 @@ from mpsolve.numbers.arrays import Complexes
 from mpsolve.numbers.balls import precision
 from mpsolve.problem.line import Line
 from mpsolve.proof.effort import Effort
-from mpsolve.proof.turning import number_of_zeros
+from mpsolve.proof.winding import number_of_zeros
 from mpsolve.spectrum.branch_loops import Loop, edge_points, find_loops
 from mpsolve.spectrum.closing import pivot_sum
 from mpsolve.spectrum.edge_at_rest import Rest, past_branch_points

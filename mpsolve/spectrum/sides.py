@@ -12,7 +12,7 @@ from mpsolve.characteristic.path import Proved
 from mpsolve.characteristic.paths import Paths
 from mpsolve.numbers.arrays import Complexes
 from mpsolve.proof.effort import Effort
-from mpsolve.proof.turning import number_of_zeros
+from mpsolve.proof.winding import number_of_zeros
 
 _PIECES = 12  # of a side, with which halving begins
 

@@ -23,7 +23,7 @@ from mpsolve.numbers.arrays import Complexes
 from mpsolve.proof.cover import OpenPieceError, cover
 from mpsolve.proof.effort import Effort
 from mpsolve.proof.ladder import climb
-from mpsolve.proof.turning import number_of_zeros
+from mpsolve.proof.winding import number_of_zeros
 from mpsolve.zeros.analytic import cover_region, hull
 from mpsolve.zeros.evaluate import CutError
 from mpsolve.zeros.function import Function, Side

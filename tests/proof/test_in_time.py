@@ -7,8 +7,9 @@ from time import process_time
 
 import pytest
 
-from mpsolve.proof.deadline import TimeUpError, deadline, in_time
+from mpsolve.proof.deadline import TimeUpError, deadline
 from mpsolve.proof.effort import Effort
+from mpsolve.proof.in_time import in_time
 
 pytestmark = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="there is no such timer here")
 

@@ -7,11 +7,9 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-from flint import arb
 
-from mpsolve.errors import PrecisionError
 from mpsolve.numbers.jets import Jet
-from mpsolve.proof.turning import THETA, Regular, number_of_zeros, pivot_arguments, regular, solution
+from mpsolve.proof.turning import THETA, Regular, pivot_arguments, regular, solution
 
 MP = mpmath.MPContext()
 MP.dps = 50
@@ -175,14 +173,3 @@ def test_a_singular_matrix_is_not_solved() -> None:
     A = Jet(a, zero, np.full(a.shape, 1e-3), np.array([1e-3]))
     f = Jet(np.ones((1, 2, 1), complex), np.zeros((1, 2, 1), complex), np.zeros((1, 2, 1)), np.array([1e-3]))
     assert not solution(A, f)[1].any()
-
-
-def test_one_whole_number_in_the_ball() -> None:
-    assert number_of_zeros(arb(3, 0.4), "f") == 3
-    assert number_of_zeros(arb(0), "f") == 0
-
-
-@pytest.mark.parametrize("ball", [arb(3, 1.1), arb(2.5, 0.4), arb(-1, 0.1), arb("nan")])
-def test_none_or_many_or_below_zero(ball: arb) -> None:
-    with pytest.raises(PrecisionError, match="turn of f"):
-        number_of_zeros(ball, "f")
